@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every limit on what a client may ask for, in one struct. Each has a test that hits it and a row
+// in the README.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace bouguer::api {
+
+struct Limits {
+    std::size_t body_bytes = 8U << 20U;
+    int json_depth = 32;
+    std::size_t problems = 100;    ///< reported of one document; the rest is counted
+    std::size_t name_bytes = 200;  ///< of names and labels
+    std::size_t objects = 10'000;
+    std::size_t instances = 100'000;  ///< of all objects together
+    std::size_t materials = 1'000;
+    std::size_t lights = 1'000;
+    std::size_t spectra = 1'000;
+    std::size_t spectrum_samples = 10'000;
+    std::size_t mesh_vertices = 10'000'000;
+    std::size_t mesh_triangles = 20'000'000;
+    std::int64_t pixels = 8'388'608;   ///< 4096 x 2048
+    int resolution = 16'384;           ///< a side
+    std::int64_t samples = 1'000'000;  ///< a pixel
+    double pixel_samples = 1e11;       ///< pixels x samples
+    double seconds = 86'400;           ///< of a stop rule
+    int max_depth = 64;
+    std::size_t labels = 32;
+    std::uint64_t memory_bytes = 4ULL << 30U;  ///< estimated for film and geometry of one job
+};
+
+}  // namespace bouguer::api

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Typed values -> the JSON texts that go over the wire.
+#pragma once
+
+#include <string>
+
+#include "renderer/core/result.h"
+#include "renderer/report.h"
+
+namespace bouguer::api {
+
+/// application/problem+json [RFC 9457]: type, title, status, detail, errors[{pointer, code, detail,
+/// found, allowed}], request_id. `type` is "/docs/problems#<code>". The one place that maps
+/// ErrorKind to a status is status_of().
+[[nodiscard]] std::string problem_json(const Error& error, std::string_view request_id = {});
+[[nodiscard]] int status_of(const Error& error);
+
+[[nodiscard]] std::string plan_json(const renderer::Plan& plan);
+[[nodiscard]] std::string health_json(const renderer::Health& health);
+/// The error curve with its bias parts and the fitted slope of log rmse against log samples (null
+/// below three points).
+[[nodiscard]] std::string error_json(const renderer::Report& report);
+[[nodiscard]] std::string error_csv(const renderer::Report& report);
+/// Everything: error, bias, health, plan, timings, versions, digests. `job_digest`, `scene_digest`
+/// may be empty.
+[[nodiscard]] std::string report_json(const renderer::Report& report, std::string_view job_digest,
+                                      std::string_view scene_digest);
+
+}  // namespace bouguer::api

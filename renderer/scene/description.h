@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene as plain data: what comes in. Names are resolved and every value is in range; the readers
+// of api/ see to that.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "renderer/geometry/shape.h"
+#include "renderer/spectrum/spectrum.h"
+
+namespace bouguer::renderer {
+
+struct Resolution {
+    int width = 640;
+    int height = 480;
+    bool operator==(const Resolution&) const = default;
+};
+
+/// `fov_deg` is the full vertical angle of view, in (0, 180).
+struct PerspectiveCamera {
+    Vec3 from, at, up{0, 1, 0};
+    Real fov_deg = 40;
+};
+
+/// `height` is what the picture's height shows, scene units.
+struct OrthographicCamera {
+    Vec3 from, at, up{0, 1, 0};
+    Real height = 1;
+};
+
+using CameraDescription = std::variant<PerspectiveCamera, OrthographicCamera>;
+
+/// Bouguer-Beer absorption: internal transmittance after `thickness` scene units inside the object.
+struct Absorption {
+    SpectrumPtr transmittance;
+    Real thickness = 1;
+};
+
+/// The seed's surface (equations 3 and 4).
+struct HallMaterial {
+    SpectrumPtr reflectance;    ///< F_sr, in [0, 1]
+    SpectrumPtr transmittance;  ///< F_st, in [0, 1]
+    Real k_sr = 0;              ///< share that is reflected, [0, 1]
+    Real k_st = 0;              ///< share that is transmitted, [0, 1]; 0 is opaque
+    Real n = 1;    ///< n', exponent of (L.N), [0, 1e6]; also n_i when seen as a neighbour
+    Real ior = 1;  ///< index of refraction of the inside, [1, 10]
+    std::optional<Absorption> absorption;
+    bool mirror = false;  ///< whether a reflected ray is followed
+};
+
+/// One alternative for every material type.
+using MaterialModel = std::variant<HallMaterial>;
+
+struct MaterialDescription {
+    std::string name;
+    MaterialModel model;
+};
+
+struct ObjectDescription {
+    std::string name;
+    PlacedShape placed;
+    std::size_t material = 0;  ///< index into materials
+};
+
+/// Irradiance falls with the square of the distance in metres.
+struct PointLight {
+    Vec3 position;
+    SpectrumPtr intensity;  ///< W sr^-1 nm^-1
+};
+
+/// `direction` is where the light goes to (from the sun downwards).
+struct DirectionalLight {
+    Vec3 direction{0, -1, 0};
+    SpectrumPtr irradiance;  ///< on a surface that faces it, W m^-2 nm^-1
+};
+
+using LightDescription = std::variant<PointLight, DirectionalLight>;
+
+/// What rays that leave the scene see: the same radiance in every direction, W m^-2 sr^-1 nm^-1.
+struct ConstantEnvironment {
+    SpectrumPtr radiance;
+};
+
+/// Weights k_i from the share of the cosine-weighted hemisphere that each neighbour covers (its
+/// form factor), by `rays` random directions a shaded point.
+struct HemisphereWeights {
+    int rays = 1;
+};
+
+/// Weights k_i given for each object, in the order of the scene's objects.
+struct ExplicitWeights {
+    std::vector<Real> k;
+};
+
+/// Equation 2. With `illuminant` I_a(lambda) = illuminant(lambda) K_a sum_i k_i R_i(lambda)^{n_i};
+/// without, the light that arrives unshadowed from all lamps takes its place, so that a brighter
+/// lamp brightens the whole picture.
+struct AmbientDescription {
+    Real k_a = 0;
+    std::variant<HemisphereWeights, ExplicitWeights> weights;
+    SpectrumPtr illuminant;  ///< may be null
+};
+
+struct SceneDescription {
+    std::string name;
+    Real metres_per_unit = 1;
+    CameraDescription camera;
+    Resolution resolution;
+    std::vector<MaterialDescription> materials;
+    std::vector<ObjectDescription> objects;
+    std::vector<LightDescription> lights;
+    std::optional<ConstantEnvironment> environment;
+    std::optional<AmbientDescription> ambient;
+};
+
+}  // namespace bouguer::renderer

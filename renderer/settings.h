@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a scene is to be rendered, when to stop, and what to make of the film.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "renderer/scene/description.h"
+
+namespace bouguer::renderer {
+
+enum class IntegratorType { Hall, Rgb };
+
+/// Part of the picture, in pixels; row 0 is on top.
+struct Crop {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool operator==(const Crop&) const = default;
+};
+
+enum class FilterType { Box, Triangle, Gaussian };
+
+/// Reconstruction filter, by its radius in pixels. Samples are drawn from it (filter importance
+/// sampling), so each belongs to one pixel and pixels are independent.
+struct Filter {
+    FilterType type = FilterType::Gaussian;
+    Real radius = 1.5;
+    bool operator==(const Filter&) const = default;
+};
+
+/// What decides the value of every sample. Equal scene and equal settings give equal bytes.
+struct RenderSettings {
+    IntegratorType integrator = IntegratorType::Hall;
+    int max_depth = 8;            ///< reflections and refractions in a row, [0, 64]
+    Real min_throughput = 1e-3;   ///< rays whose every component weighs less are not followed; what
+                                  ///< they carry is reported
+    Real wavelength_step_nm = 5;  ///< quadrature, [1, 100]
+    Filter filter;
+    int replicates = 16;  ///< independent randomisations, for the error estimate, [2, 64]
+    std::uint64_t seed = 1;
+    Resolution resolution;
+    std::optional<Crop> crop;  ///< inside the resolution
+    bool specialise = true;    ///< let the plan choose a kernel; false runs the general one
+};
+
+/// Whichever comes first. At least one is set.
+struct StopRule {
+    std::optional<std::uint32_t> samples;  ///< a pixel
+    std::optional<double> seconds;         ///< of wall time, checked at the end of passes
+    std::optional<double> error;  ///< relative RMSE; reached when the interval's upper end is below
+};
+
+enum class FileColour { Rec709, Xyz };
+
+/// How the film is shown and stored.
+struct OutputSettings {
+    std::string display = "srgb";
+    std::optional<double>
+        exposure;  ///< factor on XYZ before the display; empty: the 99th percentile of Y becomes 1
+    FileColour exr_colour = FileColour::Rec709;
+};
+
+}  // namespace bouguer::renderer

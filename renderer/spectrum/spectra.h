@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes spectra of every kind. Refusals are values: Error{InvalidInput} whose problems point into
+// the kind's own fields.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "renderer/core/result.h"
+#include "renderer/spectrum/spectrum.h"
+
+namespace bouguer::renderer {
+
+/// The same value at every wavelength.
+SpectrumPtr constant_spectrum(double value);
+
+/// Linear between samples, constant beyond the first and last. Needs at least two, increasing,
+/// finite and >= 0.
+Result<SpectrumPtr> sampled_spectrum(std::vector<double> wavelengths_nm,
+                                     std::vector<double> values);
+
+/// Like sampled_spectrum on first, first + step, ...
+Result<SpectrumPtr> regular_spectrum(double first_nm, double step_nm, std::vector<double> values);
+
+/// Planck's law relative to its value at 560 nm, so that it is 1 there like every illuminant.
+/// `temperature_K` in [1, 1e9]. expm1 throughout, so that no temperature overflows.
+Result<SpectrumPtr> blackbody_spectrum(double temperature_K);
+
+/// Planck's law itself, W m^-2 sr^-1 per metre of wavelength [CODATA 2018 constants].
+double planck_W_per_m3_sr(double lambda_nm, double temperature_K);
+
+/// A smooth reflectance in [0, 1] whose colour under D65 is the display colour r, g, b
+/// (sRGB-encoded, [0, 1]) [Jakob and Hanika 2019]. `round_trip_delta_e` gets the CIEDE2000-free CIE
+/// 1976 difference that remains.
+Result<SpectrumPtr> srgb_spectrum(double r, double g, double b,
+                                  double* round_trip_delta_e = nullptr);
+
+/// factor * base.
+SpectrumPtr scaled_spectrum(SpectrumPtr base, double factor);
+
+/// A spectrum of the built-in library ("D65", "A", "E", ...); null when there is none of that name.
+SpectrumPtr library_spectrum(std::string_view name);
+
+struct LibraryEntry {
+    std::string_view name, kind, description, source;
+};
+/// Everything library_spectrum() knows, sorted by name.
+const std::vector<LibraryEntry>& library_entries();
+
+}  // namespace bouguer::renderer

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// A quantity as a function of wavelength.
+#pragma once
+
+#include <memory>
+
+namespace bouguer::renderer {
+
+/// Immutable and thread-safe. The unit is that of the quantity: none for reflectance, transmittance
+/// and relative illuminants (which are 1 at 560 nm), W m^-2 sr^-1 nm^-1 for radiance, W sr^-1 nm^-1
+/// for intensity.
+class Spectrum {
+  public:
+    Spectrum() = default;
+    Spectrum(const Spectrum&) = delete;
+    Spectrum& operator=(const Spectrum&) = delete;
+    virtual ~Spectrum() = default;
+
+    /// The value at `lambda_nm`, finite for every wavelength of the rendered range.
+    [[nodiscard]] virtual double at(double lambda_nm) const = 0;
+
+    /// Whether at() is the same for every wavelength: then one number stands for the spectrum.
+    [[nodiscard]] virtual bool is_constant() const { return false; }
+
+    /// The spectrum that this one is a multiple of, and the factor; itself and 1 by default. Lets
+    /// the plan see that several lamps have one colour.
+    struct Multiple {
+        const Spectrum* base;
+        double factor;
+    };
+    [[nodiscard]] virtual Multiple as_multiple() const { return {this, 1.0}; }
+};
+
+using SpectrumPtr = std::shared_ptr<const Spectrum>;
+
+}  // namespace bouguer::renderer
