@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <ostream>
 #include <string>
 
 #include "tests/architecture/include_rules.h"
@@ -46,6 +47,9 @@ struct Case {
     const char* path;
     const char* include;
 };
+
+/// Names a case in ctest's list.
+void PrintTo(const Case& c, std::ostream* out) { *out << c.path << " with " << c.include; }
 
 class ForbiddenInclude : public testing::TestWithParam<Case> {};
 TEST_P(ForbiddenInclude, IsFound) {
