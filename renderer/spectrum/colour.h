@@ -15,7 +15,7 @@ inline constexpr double kLambdaMax_nm = 830;
 /// Integral of the CIE 1931 2-degree y-bar at 1 nm, 360..830 nm [CIE 018:2019]; in nm. Y is
 /// normalised by it, so a constant spectral radiance of 1 has Y = 1. Luminance in cd/m^2 is Y *
 /// kMaxLuminousEfficacy * kYIntegral_nm.
-inline constexpr double kYIntegral_nm = 106.856895;
+inline constexpr double kYIntegral_nm = 106.8569171;
 inline constexpr double kMaxLuminousEfficacy_lm_per_W = 683.002;
 
 /// CIE 1931 tristimulus values, normalised as above.
@@ -48,6 +48,9 @@ std::array<double, 3> cie1931(double lambda_nm);
 Xyz xyz_of(const Spectrum& radiance, double step_nm = 1);
 /// XYZ of a reflectance (or transmittance) under an illuminant, relative to that illuminant's Y.
 Xyz xyz_of_reflectance(const Spectrum& reflectance, const Spectrum& illuminant, double step_nm = 1);
+
+/// The matrix of a display: its primaries' and its white's chromaticities; RGB (1, 1, 1) has Y = 1.
+Matrix3 rgb_to_xyz(Chromaticity red, Chromaticity green, Chromaticity blue, Chromaticity white);
 
 /// Linear Rec.709 / sRGB primaries, D65 white [IEC 61966-2-1].
 const Matrix3& xyz_to_rec709();

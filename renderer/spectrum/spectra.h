@@ -23,10 +23,15 @@ Result<SpectrumPtr> sampled_spectrum(std::vector<double> wavelengths_nm,
 Result<SpectrumPtr> regular_spectrum(double first_nm, double step_nm, std::vector<double> values);
 
 /// Planck's law relative to its value at 560 nm, so that it is 1 there like every illuminant.
-/// `temperature_K` in [1, 1e9]. expm1 throughout, so that no temperature overflows.
+/// `temperature_K` in [100, 1e9]; every value is finite, as a float too. A colder body gives out so
+/// little at 560 nm (2e-72 of its 830 nm at 50 K) that no relative spectrum can be written down: it
+/// is refused with that reason.
 Result<SpectrumPtr> blackbody_spectrum(double temperature_K);
+inline constexpr double kBlackbodyMin_K = 100;
+inline constexpr double kBlackbodyMax_K = 1e9;
 
-/// Planck's law itself, W m^-2 sr^-1 per metre of wavelength [CODATA 2018 constants].
+/// Planck's law itself, W m^-2 sr^-1 per metre of wavelength [CODATA 2018 constants]; finite for
+/// every temperature above 0 K.
 double planck_W_per_m3_sr(double lambda_nm, double temperature_K);
 
 /// A smooth reflectance in [0, 1] whose colour under D65 is the display colour r, g, b

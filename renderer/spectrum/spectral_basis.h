@@ -22,7 +22,8 @@ class SpectralBasis {
     static SpectralBasis rgb();
     /// One number: for scenes where every material is grey and every lamp a multiple of
     /// `illuminant`, whose shape is taken into the weights. Uses the quadrature of
-    /// wavelengths(step_nm), so the picture is the same up to rounding.
+    /// wavelengths(step_nm), so the picture is the same up to rounding. `illuminant` (or what it is
+    /// a multiple of) outlives the basis.
     static SpectralBasis grey(const Spectrum& illuminant, double step_nm);
 
     [[nodiscard]] std::size_t size() const { return weights_.size(); }
@@ -30,21 +31,28 @@ class SpectralBasis {
         return name_;
     }  ///< "wavelengths", "rgb", "grey"
 
-    /// A reflectance, transmittance or other factor in this basis; size() values.
+    /// A reflectance, transmittance or other factor in this basis; size() values. In grey() it must
+    /// be constant.
     [[nodiscard]] std::vector<float> factor(const Spectrum& s) const;
-    /// A light's spectrum in this basis; size() values.
+    /// A light's spectrum in this basis; size() values. In grey() it must be a multiple of the
+    /// illuminant or 0.
     [[nodiscard]] std::vector<float> emission(const Spectrum& s) const;
-    /// XYZ of a radiance in this basis (size() values). Sums in double.
+    /// XYZ of a radiance in this basis (size() values). Sums in double, in an order that depends on
+    /// size() only.
     [[nodiscard]] Xyz to_xyz(const float* radiance) const;
     /// What each of the size() numbers adds to X, Y and Z.
     [[nodiscard]] const std::vector<std::array<double, 3>>& weights() const { return weights_; }
 
   private:
     SpectralBasis() = default;
+    void split_weights();                                              ///< fills columns_
+    [[nodiscard]] std::vector<float> sample(const Spectrum& s) const;  ///< at lambda_nm_
+
     std::string name_;
     std::vector<double> lambda_nm_;  ///< of the quadrature; empty for rgb
     std::vector<std::array<double, 3>> weights_;
-    const Spectrum* illuminant_ = nullptr;  ///< grey only; the scene outlives its bases
+    std::array<std::vector<double>, 3> columns_;  ///< weights_ by component, as to_xyz() reads them
+    const Spectrum* illuminant_ = nullptr;        ///< grey only; the scene outlives its bases
 };
 
 }  // namespace bouguer::renderer
