@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/jobs/scheduler.h"
+
+#include <algorithm>
+
+namespace bouguer::server {
+
+bool Scheduler::QueueOrder::operator()(const Entry& a, const Entry& b) const {
+    if (a.task->priority() != b.task->priority()) return a.task->priority() > b.task->priority();
+    return a.sequence < b.sequence;
+}
+
+bool Scheduler::goes_before(const Entry& a, const Entry& b) {
+    const Urgency urgency_a = a.task->urgency();
+    const Urgency urgency_b = b.task->urgency();
+    if (urgency_a != urgency_b) return urgency_a < urgency_b;
+    if (a.task->priority() != b.task->priority()) return a.task->priority() > b.task->priority();
+    if (urgency_a == Urgency::LaterPass && a.time != b.time) return a.time < b.time;
+    return a.sequence < b.sequence;
+}
+
+Result<void> Scheduler::add(std::shared_ptr<Task> task) {
+    const std::lock_guard lock(mutex_);
+    let_go_of_ended();
+    if (waiting_.size() + active_.size() >= limits_.tasks) {
+        return fail(ErrorKind::Busy, "the queue is full", "queue-full");
+    }
+    enqueue(std::move(task));
+    return {};
+}
+
+void Scheduler::add_again(std::shared_ptr<Task> task) {
+    const std::lock_guard lock(mutex_);
+    enqueue(std::move(task));
+}
+
+void Scheduler::enqueue(std::shared_ptr<Task> task) {
+    waiting_.insert({std::move(task), ++sequence_, 0});
+}
+
+void Scheduler::drop(const Task& task) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(waiting_, [&](const Entry& entry) { return entry.task.get() == &task; });
+}
+
+bool Scheduler::full() const {
+    const std::lock_guard lock(mutex_);
+    return waiting_.size() + active_.size() >= limits_.tasks;
+}
+
+void Scheduler::let_go_of_ended() {
+    std::erase_if(active_, [&](const Entry& entry) {
+        if (!entry.task->ended()) return false;
+        memory_in_use_ -= entry.task->memory_bytes();
+        return true;
+    });
+}
+
+bool Scheduler::fits(const Task& task) const {
+    if (active_.empty()) return true;
+    return active_.size() < limits_.active_tasks && memory_in_use_ <= limits_.memory_bytes &&
+           task.memory_bytes() <= limits_.memory_bytes - memory_in_use_;
+}
+
+void Scheduler::activate_what_fits() {
+    // Nobody overtakes the first in the queue: a large job would wait for ever behind small ones.
+    while (!waiting_.empty() && fits(*waiting_.begin()->task)) {
+        Entry entry = std::move(waiting_.extract(waiting_.begin()).value());
+        const auto least =
+            std::min_element(active_.begin(), active_.end(),
+                             [](const Entry& a, const Entry& b) { return a.time < b.time; });
+        if (least != active_.end()) entry.time = least->time;
+        memory_in_use_ += entry.task->memory_bytes();
+        active_.push_back(std::move(entry));
+    }
+}
+
+std::optional<Scheduler::Work> Scheduler::next() {
+    const std::lock_guard lock(mutex_);
+    let_go_of_ended();
+    activate_what_fits();
+    std::sort(active_.begin(), active_.end(), goes_before);
+    for (const Entry& entry : active_) {
+        if (auto step = entry.task->next_step()) return Work{entry.task, std::move(*step)};
+    }
+    return std::nullopt;
+}
+
+void Scheduler::charge(const Task& task, double seconds) {
+    const std::lock_guard lock(mutex_);
+    const auto entry = std::find_if(active_.begin(), active_.end(),
+                                    [&](const Entry& e) { return e.task.get() == &task; });
+    if (entry != active_.end()) entry->time += seconds;
+}
+
+std::size_t Scheduler::num_waiting() const {
+    const std::lock_guard lock(mutex_);
+    return waiting_.size();
+}
+
+std::size_t Scheduler::num_active() const {
+    const std::lock_guard lock(mutex_);
+    return active_.size();
+}
+
+}  // namespace bouguer::server

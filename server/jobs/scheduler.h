@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which step of which job comes next.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "renderer/core/result.h"
+#include "server/jobs/task.h"
+
+namespace bouguer::server {
+
+struct SchedulerLimits {
+    std::size_t tasks = 1000;                  ///< waiting and active together
+    std::size_t active_tasks = 64;             ///< that have begun and have not ended
+    std::uint64_t memory_bytes = 4ULL << 30U;  ///< of all active tasks together, as they estimate
+};
+
+/// A bounded queue and a rule. A task waits until it is activated, which takes its share of the
+/// memory; the first in the queue is activated as soon as it fits, or when nothing else is active.
+/// Of all that could run, the next step is that of the most urgent (a first pass before all later
+/// ones, so that everybody sees something soon), then of the highest priority, then, for first
+/// passes, of the oldest, and for later ones of the task that has had the least time, so that
+/// equals share. A newcomer's time starts at that of the task that has had least. Thread-safe.
+class Scheduler {
+  public:
+    explicit Scheduler(SchedulerLimits limits = {}) : limits_(limits) {}
+
+    /// Puts a task into the queue. Busy when it is full.
+    [[nodiscard]] Result<void> add(std::shared_ptr<Task> task);
+    /// Likewise without regard to the bound: jobs that were accepted before a restart.
+    void add_again(std::shared_ptr<Task> task);
+    /// Takes a task out of the queue if it has not been activated.
+    void drop(const Task& task);
+    [[nodiscard]] bool full() const;
+
+    struct Work {
+        std::shared_ptr<Task> task;
+        Task::Step run;
+    };
+    /// The next step; empty when there is none now. Ended tasks are let go of.
+    [[nodiscard]] std::optional<Work> next();
+    /// Tells how long a step took, for the sharing among equals.
+    void charge(const Task& task, double seconds);
+
+    [[nodiscard]] std::size_t num_waiting() const;
+    [[nodiscard]] std::size_t num_active() const;
+
+  private:
+    struct Entry {
+        std::shared_ptr<Task> task;
+        std::uint64_t sequence = 0;  ///< age
+        double time = 0;             ///< seconds of threads, from the newcomer's start
+    };
+    struct QueueOrder {
+        bool operator()(const Entry& a, const Entry& b) const;
+    };
+    static bool goes_before(const Entry& a, const Entry& b);
+
+    void enqueue(std::shared_ptr<Task> task);
+    void let_go_of_ended();
+    [[nodiscard]] bool fits(const Task& task) const;
+    void activate_what_fits();
+
+    const SchedulerLimits limits_;
+    mutable std::mutex mutex_;
+    std::uint64_t sequence_ = 0;  // guarded by mutex_, as all below
+    std::set<Entry, QueueOrder> waiting_;
+    std::vector<Entry> active_;
+    std::uint64_t memory_in_use_ = 0;  // of active_
+};
+
+}  // namespace bouguer::server

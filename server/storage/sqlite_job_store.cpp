@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/storage/sqlite_job_store.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <mutex>
+
+#include "server/storage/sqlite_schema.h"
+
+namespace bouguer::server {
+
+/// The database and the lock that every use of it holds.
+struct SqliteJobStore::Connection {
+    explicit Connection(const std::filesystem::path& file)
+        : database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE) {}
+    std::mutex mutex;
+    SQLite::Database database;  // guarded by mutex
+};
+
+namespace {
+
+constexpr const char* kColumns =
+    "id, state, priority, created_ms, started_ms, ended_ms, revision, memory_bytes, name, "
+    "scene_digest, digest, failure";
+
+tl::unexpected<Error> no_such_job() { return fail(ErrorKind::NotFound, "no such job"); }
+
+/// Runs `work` and turns what SQLite throws into an error of the environment.
+template <class Work>
+auto guarded(Work&& work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const SQLite::Exception& e) {
+        return fail(ErrorKind::Internal, std::string("the job store failed: ") + e.what(),
+                    "storage-failed");
+    }
+}
+
+std::map<std::string, std::string> read_labels(SQLite::Database& db, const JobId& id) {
+    std::map<std::string, std::string> labels;
+    SQLite::Statement query(db, "SELECT name, value FROM job_labels WHERE job_id = ?");
+    query.bind(1, id);
+    while (query.executeStep()) {
+        labels[query.getColumn(0).getString()] = query.getColumn(1).getString();
+    }
+    return labels;
+}
+
+/// The row that `query` stands on; its columns are kColumns.
+Job read_job(SQLite::Database& db, SQLite::Statement& query) {
+    Job job;
+    job.id = query.getColumn(0).getString();
+    job.state = job_state_from(query.getColumn(1).getString()).value_or(JobState::Failed);
+    job.priority = query.getColumn(2).getInt();
+    job.created_ms = query.getColumn(3).getInt64();
+    job.started_ms = query.getColumn(4).getInt64();
+    job.ended_ms = query.getColumn(5).getInt64();
+    job.revision = static_cast<std::uint64_t>(query.getColumn(6).getInt64());
+    job.memory_bytes = static_cast<std::uint64_t>(query.getColumn(7).getInt64());
+    job.name = query.getColumn(8).getString();
+    job.scene_digest = query.getColumn(9).getString();
+    job.digest = query.getColumn(10).getString();
+    job.failure = query.getColumn(11).getString();
+    job.labels = read_labels(db, job.id);
+    return job;
+}
+
+std::vector<Job> read_jobs(SQLite::Database& db, SQLite::Statement& query) {
+    std::vector<Job> jobs;
+    while (query.executeStep()) jobs.push_back(read_job(db, query));
+    return jobs;
+}
+
+std::optional<Job> find_job(SQLite::Database& db, const JobId& id) {
+    SQLite::Statement query(db, std::string("SELECT ") + kColumns + " FROM jobs WHERE id = ?");
+    query.bind(1, id);
+    if (!query.executeStep()) return std::nullopt;
+    return read_job(db, query);
+}
+
+/// As JobStore::find_key, inside the caller's transaction.
+Result<std::optional<InsertedJob>> known_key(SQLite::Database& db, const IdempotencyKey& key) {
+    if (key.key.empty()) return std::optional<InsertedJob>{};
+    SQLite::Statement query(db, "SELECT fingerprint, job_id FROM idempotency_keys WHERE name = ?");
+    query.bind(1, key.key);
+    if (!query.executeStep()) return std::optional<InsertedJob>{};
+    if (query.getColumn(0).getString() != key.fingerprint) return key_reused();
+    auto job = find_job(db, query.getColumn(1).getString());
+    if (!job) return std::optional<InsertedJob>{};
+    return InsertedJob{std::move(*job), true};
+}
+
+void insert_job(SQLite::Database& db, const Job& job) {
+    SQLite::Statement row(db, std::string("INSERT INTO jobs (") + kColumns +
+                                  ", request) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    row.bind(1, job.id);
+    row.bind(2, std::string(to_string(job.state)));
+    row.bind(3, job.priority);
+    row.bind(4, job.created_ms);
+    row.bind(5, job.started_ms);
+    row.bind(6, job.ended_ms);
+    row.bind(7, static_cast<std::int64_t>(job.revision));
+    row.bind(8, static_cast<std::int64_t>(job.memory_bytes));
+    row.bind(9, job.name);
+    row.bind(10, job.scene_digest);
+    row.bind(11, job.digest);
+    row.bind(12, job.failure);
+    row.bind(13, job.request);
+    row.exec();
+    for (const auto& [name, value] : job.labels) {
+        SQLite::Statement label(db,
+                                "INSERT INTO job_labels (job_id, name, value) VALUES (?, ?, ?)");
+        label.bind(1, job.id);
+        label.bind(2, name);
+        label.bind(3, value);
+        label.exec();
+    }
+}
+
+void insert_key(SQLite::Database& db, const IdempotencyKey& key, const JobId& id) {
+    if (key.key.empty()) return;
+    SQLite::Statement row(
+        db, "INSERT INTO idempotency_keys (name, fingerprint, job_id) VALUES (?, ?, ?)");
+    row.bind(1, key.key);
+    row.bind(2, key.fingerprint);
+    row.bind(3, id);
+    row.exec();
+}
+
+void store_transition(SQLite::Database& db, const Job& job) {
+    SQLite::Statement row(db,
+                          "UPDATE jobs SET state = ?, started_ms = ?, ended_ms = ?, revision = ?, "
+                          "failure = ? WHERE id = ?");
+    row.bind(1, std::string(to_string(job.state)));
+    row.bind(2, job.started_ms);
+    row.bind(3, job.ended_ms);
+    row.bind(4, static_cast<std::int64_t>(job.revision));
+    row.bind(5, job.failure);
+    row.bind(6, job.id);
+    row.exec();
+}
+
+}  // namespace
+
+SqliteJobStore::SqliteJobStore(std::unique_ptr<Connection> connection)
+    : connection_(std::move(connection)) {}
+
+SqliteJobStore::~SqliteJobStore() = default;
+
+Result<std::unique_ptr<SqliteJobStore>> SqliteJobStore::open(const std::filesystem::path& file) {
+    return guarded([&]() -> Result<std::unique_ptr<SqliteJobStore>> {
+        auto connection = std::make_unique<Connection>(file);
+        if (auto ready = prepare_database(connection->database); !ready) {
+            return tl::unexpected(ready.error());
+        }
+        return std::unique_ptr<SqliteJobStore>(new SqliteJobStore(std::move(connection)));
+    });
+}
+
+Result<InsertedJob> SqliteJobStore::insert(const Job& job, const IdempotencyKey& key) {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<InsertedJob> {
+        auto& db = connection_->database;
+        SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
+        auto before = known_key(db, key);
+        if (!before) return tl::unexpected(before.error());
+        if (*before) return **before;
+        if (find_job(db, job.id)) return fail(ErrorKind::Conflict, "the job exists");
+        insert_job(db, job);
+        insert_key(db, key, job.id);
+        transaction.commit();
+        InsertedJob stored{job, false};
+        stored.job.request.clear();
+        return stored;
+    });
+}
+
+Result<Job> SqliteJobStore::find(const JobId& id) const {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<Job> {
+        auto job = find_job(connection_->database, id);
+        if (!job) return no_such_job();
+        return std::move(*job);
+    });
+}
+
+Result<std::string> SqliteJobStore::request(const JobId& id) const {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<std::string> {
+        SQLite::Statement query(connection_->database, "SELECT request FROM jobs WHERE id = ?");
+        query.bind(1, id);
+        if (!query.executeStep()) return no_such_job();
+        return query.getColumn(0).getString();
+    });
+}
+
+Result<std::optional<InsertedJob>> SqliteJobStore::find_key(const IdempotencyKey& key) const {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&] { return known_key(connection_->database, key); });
+}
+
+Result<JobListing> SqliteJobStore::list(std::size_t limit, const std::string& cursor,
+                                        std::optional<JobState> state) const {
+    if (auto good = check_cursor(cursor); !good) return tl::unexpected(good.error());
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<JobListing> {
+        std::string sql = std::string("SELECT ") + kColumns + " FROM jobs WHERE 1 = 1";
+        if (!cursor.empty()) sql += " AND id < :cursor";
+        if (state) sql += " AND state = :state";
+        sql += " ORDER BY id DESC LIMIT :limit";
+        SQLite::Statement query(connection_->database, sql);
+        if (!cursor.empty()) query.bind(":cursor", cursor);
+        if (state) query.bind(":state", std::string(to_string(*state)));
+        query.bind(":limit", static_cast<std::int64_t>(limit) + 1);
+        JobListing page{read_jobs(connection_->database, query), {}};
+        if (page.jobs.size() > limit) {
+            page.jobs.resize(limit);
+            if (limit > 0) page.next_cursor = page.jobs.back().id;
+        }
+        return page;
+    });
+}
+
+Result<Job> SqliteJobStore::transition(const JobId& id, const Transition& change) {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<Job> {
+        auto& db = connection_->database;
+        SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
+        auto job = find_job(db, id);
+        if (!job) return no_such_job();
+        if (auto done = apply_transition(*job, change); !done) return tl::unexpected(done.error());
+        store_transition(db, *job);
+        transaction.commit();
+        return std::move(*job);
+    });
+}
+
+Result<void> SqliteJobStore::remove(const JobId& id) {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<void> {
+        SQLite::Statement row(connection_->database, "DELETE FROM jobs WHERE id = ?");
+        row.bind(1, id);
+        if (row.exec() == 0) return no_such_job();
+        return {};
+    });
+}
+
+Result<std::vector<Job>> SqliteJobStore::unfinished() const {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<std::vector<Job>> {
+        SQLite::Statement query(connection_->database,
+                                std::string("SELECT ") + kColumns +
+                                    " FROM jobs WHERE state IN ('queued', 'running') ORDER BY id");
+        return read_jobs(connection_->database, query);
+    });
+}
+
+bool SqliteJobStore::healthy() const {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<bool> {
+               // Takes and gives back the write lock: fails when the file went read-only.
+               SQLite::Transaction transaction(connection_->database,
+                                               SQLite::TransactionBehavior::IMMEDIATE);
+               return true;
+           })
+        .value_or(false);
+}
+
+}  // namespace bouguer::server
