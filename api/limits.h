@@ -19,6 +19,7 @@ struct Limits {
     std::size_t lights = 1'000;
     std::size_t spectra = 1'000;
     std::size_t spectrum_samples = 10'000;
+    std::size_t spectrum_references = 32;  ///< spectra that refer to spectra, in a row
     std::size_t mesh_vertices = 10'000'000;
     std::size_t mesh_triangles = 20'000'000;
     std::int64_t pixels = 8'388'608;   ///< 4096 x 2048
@@ -28,6 +29,7 @@ struct Limits {
     double seconds = 86'400;           ///< of a stop rule
     int max_depth = 64;
     std::size_t labels = 32;
+    std::size_t transform_steps = 100;         ///< of one transform
     std::uint64_t memory_bytes = 4ULL << 30U;  ///< estimated for film and geometry of one job
 };
 

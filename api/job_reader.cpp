@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "api/job_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "api/camera_reader.h"
+#include "api/nearest_name.h"
+#include "renderer/spectrum/display.h"
+
+namespace bouguer::api {
+namespace {
+
+constexpr Interval kWavelengthStep_nm{1, 100};
+constexpr Interval kFilterRadius{0, 16, true};
+constexpr Interval kRelativeError{1e-6, 1};
+constexpr Interval kExposure{0, 1e30, true};
+constexpr std::int64_t kLargestSeed = 1LL << 53;
+constexpr std::int64_t kHighestPriority = 100;
+constexpr std::uint32_t kDefaultSamples = 16;
+
+/// filter: type box | triangle | gaussian, radius in pixels, (0, 16]; default gaussian of 1.5, and
+/// 0.5 and 1 for the others.
+renderer::Filter read_filter(const JsonValue& value) {
+    JsonReader reader(value);
+    const std::string_view type =
+        reader.one_of("type", {"box", "triangle", "gaussian"}, "gaussian");
+    renderer::Filter filter;
+    if (type == "box") filter = {renderer::FilterType::Box, 0.5};
+    if (type == "triangle") filter = {renderer::FilterType::Triangle, 1};
+    filter.radius = reader.number("radius", kFilterRadius, filter.radius);
+    reader.reject_unknown_keys();
+    return filter;
+}
+
+/// integrator: type hall | rgb, max_depth, min_throughput, wavelength_step_nm (hall), filter,
+/// replicates.
+void read_integrator(const JsonValue& value, const Limits& limits,
+                     renderer::RenderSettings& settings) {
+    JsonReader reader(value);
+    if (!reader.is_object()) return;
+    const std::string_view type = reader.one_of("type", {"hall", "rgb"}, "hall");
+    settings.integrator =
+        type == "rgb" ? renderer::IntegratorType::Rgb : renderer::IntegratorType::Hall;
+    settings.max_depth = static_cast<int>(
+        reader.integer("max_depth", 0, limits.max_depth, settings.max_depth, true));
+    settings.min_throughput = reader.number("min_throughput", kUnit, settings.min_throughput);
+    if (settings.integrator == renderer::IntegratorType::Hall) {
+        settings.wavelength_step_nm =
+            reader.number("wavelength_step_nm", kWavelengthStep_nm, settings.wavelength_step_nm);
+    }
+    if (const auto at = reader.find("filter")) settings.filter = read_filter(*at);
+    settings.replicates =
+        static_cast<int>(reader.integer("replicates", 2, 64, settings.replicates));
+    reader.reject_unknown_keys();
+}
+
+/// stop: samples, seconds, error; at least one of them.
+renderer::StopRule read_stop(const JsonValue& value, const Limits& limits) {
+    renderer::StopRule stop;
+    JsonReader reader(value);
+    if (!reader.is_object()) return stop;
+    if (const auto at = reader.find("samples")) {
+        const auto samples = at->integer(1, limits.samples, true);
+        if (samples) stop.samples = static_cast<std::uint32_t>(*samples);
+    }
+    if (const auto at = reader.find("seconds")) {
+        stop.seconds = at->number({0, limits.seconds, true, false, true});
+    }
+    if (const auto at = reader.find("error")) stop.error = at->number(kRelativeError);
+    if (value.json().empty()) {
+        value.report("missing", "a stop rule needs a condition",
+                     "at least one of \"samples\", \"seconds\" and \"error\"");
+    }
+    reader.reject_unknown_keys();
+    return stop;
+}
+
+/// crop: [x, y, width, height] in pixels, inside the picture; row 0 is on top.
+std::optional<renderer::Crop> read_crop(const JsonValue& value, renderer::Resolution whole,
+                                        bool is_resolution_good) {
+    if (!value.is_array(4, 4, "numbers")) return std::nullopt;
+    const std::int64_t right = is_resolution_good ? whole.width : INT32_MAX;
+    const std::int64_t bottom = is_resolution_good ? whole.height : INT32_MAX;
+    const auto x = value.element(0).integer(0, right - 1);
+    const auto y = value.element(1).integer(0, bottom - 1);
+    const auto width = value.element(2).integer(1, x ? right - *x : INT32_MAX);
+    const auto height = value.element(3).integer(1, y ? bottom - *y : INT32_MAX);
+    if (!x || !y || !width || !height) return std::nullopt;
+    return renderer::Crop{static_cast<int>(*x), static_cast<int>(*y), static_cast<int>(*width),
+                          static_cast<int>(*height)};
+}
+
+std::string read_display(JsonReader& reader) {
+    std::vector<std::string_view> names;
+    for (const renderer::Display& display : renderer::displays()) names.push_back(display.name);
+    return std::string(reader.one_of("display", names, "srgb"));
+}
+
+/// output: resolution (the camera's by default), crop, display, exposure ("auto" or a factor),
+/// color_space (of the EXR: rec709 | xyz).
+void read_output(const JsonValue& value, const Limits& limits, JobRequest& job) {
+    JsonReader reader(value);
+    if (!reader.is_object()) return;
+    bool is_resolution_good = true;
+    if (const auto at = reader.find("resolution")) {
+        const auto resolution = read_resolution(*at, limits);
+        is_resolution_good = resolution.has_value();
+        job.settings.resolution = resolution.value_or(job.settings.resolution);
+    }
+    if (const auto at = reader.find("crop")) {
+        job.settings.crop = read_crop(*at, job.settings.resolution, is_resolution_good);
+    }
+    job.output.display = read_display(reader);
+    if (const auto at = reader.find("exposure"); at && at->json() != "auto") {
+        if (at->json().is_number()) {
+            job.output.exposure = at->number(kExposure);
+        } else {
+            at->report_type("\"auto\" or a number in " + kExposure.text());
+        }
+    }
+    job.output.exr_colour = reader.one_of("color_space", {"rec709", "xyz"}, "rec709") == "xyz"
+                                ? renderer::FileColour::Xyz
+                                : renderer::FileColour::Rec709;
+    reader.reject_unknown_keys();
+}
+
+std::map<std::string, std::string> read_labels(const JsonValue& value, const Limits& limits) {
+    std::map<std::string, std::string> labels;
+    if (!value.json().is_object()) {
+        value.report_type("an object of strings");
+        return labels;
+    }
+    if (value.json().size() > limits.labels) {
+        value.report("over-limit", "there are too many labels",
+                     "at most " + std::to_string(limits.labels) + " labels");
+        return labels;
+    }
+    for (const auto& [name, json] : value.json().items()) {
+        labels[name] = value.member(name).text(limits.name_bytes).value_or("");
+    }
+    return labels;
+}
+
+/// Whether pixels x samples stays within the limit; a render without `samples` ends where it is
+/// reached.
+void limit_samples(const JsonReader& reader, const Limits& limits, JobRequest& job) {
+    const renderer::Resolution whole = job.settings.resolution;
+    const auto crop = job.settings.crop.value_or(renderer::Crop{0, 0, whole.width, whole.height});
+    const double pixels = static_cast<double>(crop.width) * crop.height;
+    const double most =
+        std::min(static_cast<double>(limits.samples), std::floor(limits.pixel_samples / pixels));
+    if (!job.stop.samples) job.stop.samples = static_cast<std::uint32_t>(std::max(1.0, most));
+    if (*job.stop.samples <= most) return;
+    Problems& problems = reader.value().problems();
+    problems.add({reader.value().pointer() + "/stop/samples", "over-limit",
+                  "pixels x samples is too much work for one job",
+                  number_text(pixels * *job.stop.samples) + " samples in all",
+                  "at most " + number_text(limits.pixel_samples) + ", which is " +
+                      number_text(most) + " a pixel here"});
+}
+
+}  // namespace
+
+void read_job_settings(JsonReader& reader, const Limits& limits, JobRequest& job) {
+    job.settings.resolution = job.scene.resolution;
+    if (const auto at = reader.find("integrator")) read_integrator(*at, limits, job.settings);
+    if (const auto at = reader.find("stop")) {
+        job.stop = read_stop(*at, limits);
+    } else {
+        job.stop.samples = kDefaultSamples;
+    }
+    if (const auto at = reader.find("output")) read_output(*at, limits, job);
+    job.settings.seed = static_cast<std::uint64_t>(reader.integer("seed", 0, kLargestSeed, 1));
+    job.priority =
+        static_cast<int>(reader.integer("priority", -kHighestPriority, kHighestPriority, 0));
+    if (const auto at = reader.find("labels")) job.labels = read_labels(*at, limits);
+    limit_samples(reader, limits, job);
+}
+
+}  // namespace bouguer::api

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "api/mesh_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "renderer/geometry/mesh_file.h"
+
+namespace bouguer::api {
+namespace {
+
+using renderer::TriangleMesh;
+using renderer::Vec2;
+using renderer::Vec3;
+
+/// Relative, and nothing in it that leads out of a folder.
+bool is_safe_path(std::string_view path) {
+    if (path.empty() || path.front() == '/') return false;
+    for (const char c : path) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == '\\' || c == 0x7f) return false;
+    }
+    for (std::size_t begin = 0; begin <= path.size();) {
+        const std::size_t end = std::min(path.find('/', begin), path.size());
+        if (path.substr(begin, end - begin) == "..") return false;
+        begin = end + 1;
+    }
+    return true;
+}
+
+/// A mesh with something in it; a refusal is reported at `value`, or below it where the renderer
+/// points into the mesh.
+std::optional<renderer::Shape> accept(const JsonValue& value,
+                                      const Result<std::shared_ptr<const TriangleMesh>>& mesh) {
+    if (!mesh) {
+        value.problems().add_below(value.pointer(), mesh.error());
+        return std::nullopt;
+    }
+    if (!(*mesh)->triangles.empty()) return *mesh;
+    value.report("degenerate", "no triangle of the mesh has an area", "at least one triangle");
+    return std::nullopt;
+}
+
+/// The file is no good: its own pointers lead nowhere in this document, so all point to `path`.
+std::nullopt_t report_bad_file(const JsonValue& path, const Error& error) {
+    if (error.kind != ErrorKind::InvalidInput) {
+        path.problems().fail_with(error);
+        return std::nullopt;
+    }
+    if (error.problems.empty()) path.report("bad-asset", error.message, "a PLY or OBJ file");
+    for (const Problem& problem : error.problems) {
+        path.report("bad-asset", problem.detail, problem.allowed);
+    }
+    return std::nullopt;
+}
+
+/// Whether a row is `size` numbers. Meshes are large: the row's place is worked out only on
+/// failure.
+bool is_row(const Json& row, std::size_t size) {
+    if (!row.is_array() || row.size() != size) return false;
+    for (const Json& number : row) {
+        if (!number.is_number() || !kCoordinate.contains(number.get<double>())) return false;
+    }
+    return true;
+}
+
+/// The rows of [[a, b, c], ...], each made into a T by `make`; empty after a report.
+template <class T, class Make>
+std::optional<std::vector<T>> read_rows(const JsonValue& value, std::size_t size, std::size_t max,
+                                        std::string_view of, const Make& make) {
+    if (!value.is_array(0, max, of)) return std::nullopt;
+    std::vector<T> rows;
+    rows.reserve(value.json().size());
+    for (std::size_t i = 0; i < value.json().size(); ++i) {
+        const Json& row = value.json()[i];
+        if (is_row(row, size)) {
+            rows.push_back(make(row));
+            continue;
+        }
+        // Slowly again, for the pointer of what is wrong.
+        const JsonValue at = value.element(i);
+        if (!at.is_array(size, size, "numbers")) continue;
+        for (std::size_t k = 0; k < size; ++k) {
+            static_cast<void>(at.element(k).number(kCoordinate));
+        }
+    }
+    if (rows.size() < value.json().size()) return std::nullopt;
+    return rows;
+}
+
+Vec3 make_vec3(const Json& row) {
+    return {row[0].get<double>(), row[1].get<double>(), row[2].get<double>()};
+}
+
+Vec2 make_vec2(const Json& row) { return {row[0].get<double>(), row[1].get<double>()}; }
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Three unsigned integers below `vertices`, as nearly all triangles of a document are.
+std::optional<Triangle> plain_triangle(const Json& row, std::size_t vertices) {
+    if (!row.is_array() || row.size() != 3) return std::nullopt;
+    Triangle corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!row[k].is_number_unsigned()) return std::nullopt;
+        const auto index = row[k].get<std::uint64_t>();
+        if (index >= vertices) return std::nullopt;
+        corners[k] = static_cast<std::uint32_t>(index);
+    }
+    return corners;
+}
+
+/// Any triangle; reports what is wrong with it.
+std::optional<Triangle> checked_triangle(const JsonValue& value, std::size_t vertices) {
+    if (!value.is_array(3, 3, "vertex indices")) return std::nullopt;
+    Triangle corners{};
+    bool is_good = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const JsonValue corner = value.element(k);
+        const auto index = corner.integer(INT64_MIN, INT64_MAX);
+        const bool is_vertex =
+            index && *index >= 0 && static_cast<std::uint64_t>(*index) < vertices;
+        if (index && !is_vertex) {
+            corner.report("index-out-of-range", "the mesh has no such vertex",
+                          "an index below the number of positions, " + std::to_string(vertices));
+        }
+        is_good = is_good && is_vertex;
+        corners[k] = is_vertex ? static_cast<std::uint32_t>(*index) : 0;
+    }
+    return is_good ? std::optional(corners) : std::nullopt;
+}
+
+std::optional<std::vector<Triangle>> read_triangles(const JsonValue& value, std::size_t max,
+                                                    std::size_t vertices) {
+    if (!value.is_array(1, max, "triangles")) return std::nullopt;
+    std::vector<Triangle> triangles;
+    triangles.reserve(value.json().size());
+    for (std::size_t i = 0; i < value.json().size(); ++i) {
+        auto corners = plain_triangle(value.json()[i], vertices);
+        if (!corners) corners = checked_triangle(value.element(i), vertices);
+        if (corners) triangles.push_back(*corners);
+    }
+    if (triangles.size() < value.json().size()) return std::nullopt;
+    return triangles;
+}
+
+/// A list with one entry a position, when it is there; `is_good` becomes false after a report.
+template <class T, class Make>
+std::vector<T> read_per_vertex(const std::optional<JsonValue>& value, std::size_t size,
+                               const std::optional<std::vector<Vec3>>& positions, std::size_t max,
+                               bool& is_good, const Make& make) {
+    if (!value) return {};
+    auto rows = read_rows<T>(*value, size, max, "rows of numbers", make);
+    if (rows && positions && rows->size() != positions->size()) {
+        value->report("out-of-range", "there must be one entry for every position",
+                      std::to_string(positions->size()) + " entries");
+        rows.reset();
+    }
+    is_good = is_good && rows;
+    return std::move(rows).value_or(std::vector<T>{});
+}
+
+}  // namespace
+
+std::optional<renderer::Shape> read_mesh_shape(JsonReader& reader, const ReadContext& context) {
+    const Limits& limits = context.limits;
+    const auto positions_at = reader.require("positions");
+    const auto triangles_at = reader.require("triangles");
+    auto positions = positions_at ? read_rows<Vec3>(*positions_at, 3, limits.mesh_vertices,
+                                                    "positions", make_vec3)
+                                  : std::nullopt;
+    bool is_good = true;
+    TriangleMesh mesh;
+    mesh.normals = read_per_vertex<Vec3>(reader.find("normals"), 3, positions, limits.mesh_vertices,
+                                         is_good, make_vec3);
+    mesh.uvs = read_per_vertex<Vec2>(reader.find("uvs"), 2, positions, limits.mesh_vertices,
+                                     is_good, make_vec2);
+    // Without positions that could be read, indices are judged by their type alone.
+    auto triangles = triangles_at ? read_triangles(*triangles_at, limits.mesh_triangles,
+                                                   positions ? positions->size() : SIZE_MAX)
+                                  : std::nullopt;
+    if (!positions || !triangles || !is_good) return std::nullopt;
+    mesh.positions = *std::move(positions);
+    mesh.triangles = *std::move(triangles);
+    return accept(*triangles_at, renderer::checked_mesh(std::move(mesh)));
+}
+
+std::optional<renderer::Shape> read_file_shape(JsonReader& reader, const ReadContext& context) {
+    const auto at = reader.require("path");
+    const auto path = at ? at->text(context.limits.name_bytes) : std::nullopt;
+    if (!path) return std::nullopt;
+    if (!is_safe_path(*path)) {
+        at->report("out-of-range", "the path leaves the folder of the assets",
+                   "a relative path without \"..\", \"\\\" and control characters");
+        return std::nullopt;
+    }
+    auto mesh = context.assets.mesh(*path);
+    if (!mesh && mesh.error().kind == ErrorKind::NotFound) {
+        at->report("unknown-name", "there is no such file", "the name of an asset");
+        return std::nullopt;
+    }
+    if (!mesh) return report_bad_file(*at, mesh.error());
+    return accept(*at, mesh);
+}
+
+}  // namespace bouguer::api

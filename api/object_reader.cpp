@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "api/object_reader.h"
+
+#include <optional>
+#include <utility>
+
+#include "api/json_reader.h"
+#include "api/nearest_name.h"
+#include "api/shape_reader.h"
+#include "api/transform_reader.h"
+
+namespace bouguer::api {
+namespace {
+
+using renderer::ObjectDescription;
+using renderer::Transform;
+
+std::optional<std::size_t> read_material_name(const JsonValue& value, const NameIndex& materials) {
+    if (!value.json().is_string()) {
+        value.report_type("the name of a material");
+        return std::nullopt;
+    }
+    const auto& name = value.json().get_ref<const std::string&>();
+    if (const auto it = materials.find(name); it != materials.end()) return it->second;
+    if (value.problems().is_full()) {
+        value.report("unknown-name", {});
+        return std::nullopt;
+    }
+    const auto words = words_of(materials);
+    value.report(
+        "unknown-name", "there is no material of this name." + did_you_mean(name, words),
+        words.empty() ? "none: the scene has no materials" : "one of " + quoted_list(words));
+    return std::nullopt;
+}
+
+/// Reads objects one after the other and counts what they have in common.
+class ObjectReader {
+  public:
+    ObjectReader(const NameIndex& materials, const ReadContext& context, NameIndex& names)
+        : materials_(materials), context_(context), names_(names) {}
+
+    std::optional<ObjectDescription> read(const JsonValue& value, std::size_t index) {
+        JsonReader reader(value);
+        if (!reader.is_object()) return std::nullopt;
+        auto name = read_name(reader, index);
+        const auto shape_at = reader.require("shape");
+        auto shape = shape_at ? read_shape(*shape_at, context_) : std::nullopt;
+        const auto material_at = reader.require("material");
+        const auto material =
+            material_at ? read_material_name(*material_at, materials_) : std::nullopt;
+        auto instances = read_instances(reader);
+        reader.reject_unknown_keys();
+        if (!name || !shape || !material || !instances) return std::nullopt;
+        return ObjectDescription{
+            *std::move(name), {*std::move(shape), *std::move(instances)}, *material};
+    }
+
+  private:
+    std::optional<std::string> read_name(JsonReader& reader, std::size_t index) {
+        auto name = reader.require_text("name", context_.limits.name_bytes);
+        if (!name) return name;
+        const auto [first, is_new] = names_.try_emplace(*name, index);
+        if (is_new) return name;
+        reader.find("name")->report("not-unique", "another object has this name",
+                                    "a name that no other object has");
+        return std::nullopt;
+    }
+
+    /// World transforms: instance * transform for every instance, or the transform alone.
+    std::optional<std::vector<Transform>> read_instances(JsonReader& reader) {
+        std::optional<Transform> own = Transform{};
+        if (const auto at = reader.find("transform")) own = read_transform(*at, context_.limits);
+        const auto at = reader.find("instances");
+        if (!at) {
+            ++num_instances_;
+            return own ? std::optional(std::vector{*own}) : std::nullopt;
+        }
+        if (!at->is_array(1, context_.limits.instances, "transforms")) return std::nullopt;
+        num_instances_ += at->json().size();
+        if (num_instances_ > context_.limits.instances) {
+            at->report("over-limit", "the scene has too many instances",
+                       "at most " + std::to_string(context_.limits.instances) + " in all objects");
+            return std::nullopt;
+        }
+        std::vector<Transform> placed;
+        for (std::size_t i = 0; i < at->json().size(); ++i) {
+            const auto instance = read_transform(at->element(i), context_.limits);
+            if (instance && own) placed.push_back(*instance * *own);
+        }
+        if (placed.size() < at->json().size()) return std::nullopt;
+        return placed;
+    }
+
+    const NameIndex& materials_;
+    const ReadContext& context_;
+    NameIndex& names_;
+    std::size_t num_instances_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string_view> words_of(const NameIndex& names) {
+    std::vector<std::string_view> words;
+    words.reserve(names.size());
+    for (const auto& [name, index] : names) words.push_back(name);
+    return words;
+}
+
+std::vector<ObjectDescription> read_objects(const JsonValue& value, const NameIndex& materials,
+                                            const ReadContext& context, NameIndex& names) {
+    std::vector<ObjectDescription> objects;
+    if (!value.is_array(0, context.limits.objects, "objects")) return objects;
+    ObjectReader reader(materials, context, names);
+    for (std::size_t i = 0; i < value.json().size(); ++i) {
+        auto object = reader.read(value.element(i), i);
+        if (object) objects.push_back(*std::move(object));
+    }
+    return objects;
+}
+
+}  // namespace bouguer::api

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "api/error_curve.h"
+#include "api/json_value.h"
+#include "api/writers.h"
+#include "renderer/render.h"
+
+namespace bouguer::api {
+namespace {
+
+// nlohmann-json writes numbers that are not finite as null.
+using OrderedJson = nlohmann::ordered_json;
+using renderer::Estimate;
+using renderer::Report;
+
+std::string text_of(const OrderedJson& json) {
+    return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+OrderedJson or_null(const std::optional<double>& value) {
+    return value ? OrderedJson(*value) : OrderedJson(nullptr);
+}
+
+OrderedJson estimate_object(const std::optional<Estimate>& estimate) {
+    if (!estimate) return nullptr;
+    return {{"value", estimate->value}, {"low", estimate->low}, {"high", estimate->high}};
+}
+
+OrderedJson point_object(const renderer::ErrorPoint& point) {
+    return {{"seconds", point.seconds},
+            {"samples", point.samples},
+            {"rays", point.rays},
+            {"rmse", estimate_object(point.rmse)},
+            {"relative_rmse", estimate_object(point.relative_rmse)},
+            {"few_events", point.few_events}};
+}
+
+OrderedJson bias_object(const renderer::Bias& bias) {
+    return {{"depth_limit_throughput", bias.depth_limit_throughput},
+            {"threshold_throughput", bias.threshold_throughput},
+            {"wavelength_relative", or_null(bias.wavelength_relative)}};
+}
+
+OrderedJson error_object(const Report& report) {
+    OrderedJson points = OrderedJson::array();
+    for (const renderer::ErrorPoint& point : report.error) points.push_back(point_object(point));
+    return {{"confidence", 0.95},
+            {"points", points},
+            {"slope", or_null(error_slope(report.error))},
+            {"bias", bias_object(report.bias)},
+            {"stopped_by", report.stopped_by}};
+}
+
+OrderedJson health_object(const renderer::Health& health) {
+    OrderedJson examples = OrderedJson::array();
+    for (const renderer::RejectedSample& sample : health.rejected) {
+        examples.push_back(
+            {{"x", sample.x}, {"y", sample.y}, {"sample", sample.sample}, {"kind", sample.kind}});
+    }
+    return {{"samples", health.samples},
+            {"rejected",
+             {{"total", health.rejected_total()},
+              {"nan", health.rejected_nan},
+              {"infinite", health.rejected_infinite},
+              {"negative", health.rejected_negative},
+              {"examples", examples}}},
+            {"rays_cut_by_depth", health.rays_cut_by_depth},
+            {"rays_cut_by_threshold", health.rays_cut_by_threshold},
+            {"unmatched_exits", health.unmatched_exits},
+            {"medium_stack_overflows", health.medium_stack_overflows},
+            {"shadow_rays_cut", health.shadow_rays_cut},
+            {"total_reflections", health.total_reflections},
+            {"dropped_triangles", health.dropped_triangles}};
+}
+
+OrderedJson plan_object(const renderer::Plan& plan) {
+    OrderedJson items = OrderedJson::array();
+    for (const renderer::PlanItem& item : plan.items) {
+        items.push_back(
+            {{"feature", item.feature}, {"needed", item.needed}, {"reason", item.reason}});
+    }
+    return {{"items", items},
+            {"kernel", plan.kernel},
+            {"basis", plan.basis},
+            {"values_per_path", plan.values_per_path},
+            {"triangles", plan.triangles},
+            {"objects", plan.objects},
+            {"lights", plan.lights},
+            {"memory_bytes_estimate", plan.memory_bytes_estimate}};
+}
+
+OrderedJson digest_or_null(std::string_view digest) {
+    return digest.empty() ? OrderedJson(nullptr) : OrderedJson(digest);
+}
+
+std::string csv_number(double x) { return std::isfinite(x) ? number_text(x) : std::string(); }
+
+std::string csv_estimate(const std::optional<Estimate>& estimate) {
+    if (!estimate) return ",,";
+    return csv_number(estimate->value) + "," + csv_number(estimate->low) + "," +
+           csv_number(estimate->high);
+}
+
+}  // namespace
+
+std::string plan_json(const renderer::Plan& plan) { return text_of(plan_object(plan)); }
+
+std::string health_json(const renderer::Health& health) { return text_of(health_object(health)); }
+
+std::string error_json(const Report& report) { return text_of(error_object(report)); }
+
+std::string error_csv(const Report& report) {
+    std::string csv =
+        "seconds,samples,rays,rmse,rmse_low,rmse_high,relative_rmse,relative_rmse_low,"
+        "relative_rmse_high,few_events\r\n";
+    for (const renderer::ErrorPoint& point : report.error) {
+        csv += csv_number(point.seconds) + "," + std::to_string(point.samples) + "," +
+               std::to_string(point.rays) + "," + csv_estimate(point.rmse) + "," +
+               csv_estimate(point.relative_rmse) + "," + (point.few_events ? "1" : "0") + "\r\n";
+    }
+    return csv;
+}
+
+std::string report_json(const Report& report, std::string_view job_digest,
+                        std::string_view scene_digest) {
+    OrderedJson versions = OrderedJson::object();
+    versions["bouguer"] = BOUGUER_VERSION;
+    versions["libraries"] = renderer::library_versions();
+    const OrderedJson json = {
+        {"format", "bouguer-report/1"},
+        {"digest", digest_or_null(job_digest)},
+        {"scene_digest", digest_or_null(scene_digest)},
+        {"error", error_object(report)},
+        {"health", health_object(report.health)},
+        {"plan", plan_object(report.plan)},
+        {"timings",
+         {{"scene_s", report.timings.scene_s},
+          {"render_s", report.timings.render_s},
+          {"output_s", report.timings.output_s}}},
+        {"output", {{"exposure", report.exposure}, {"clipped_pixels", report.clipped_pixels}}},
+        {"versions", versions}};
+    return text_of(json);
+}
+
+}  // namespace bouguer::api

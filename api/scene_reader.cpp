@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "api/scene_reader.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "api/ambient_reader.h"
+#include "api/camera_reader.h"
+#include "api/light_reader.h"
+#include "api/material_reader.h"
+#include "api/nearest_name.h"
+#include "api/object_reader.h"
+#include "api/spectrum_reader.h"
+
+namespace bouguer::api {
+namespace {
+
+constexpr std::array kUnits{
+    std::pair{std::string_view("m"), 1.0},       std::pair{std::string_view("cm"), 1e-2},
+    std::pair{std::string_view("mm"), 1e-3},     std::pair{std::string_view("km"), 1e3},
+    std::pair{std::string_view("um"), 1e-6},     std::pair{std::string_view("inch"), 0.0254},
+    std::pair{std::string_view("foot"), 0.3048},
+};
+
+renderer::Real read_units(JsonReader& reader) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, metres] : kUnits) names.push_back(name);
+    const std::string_view units = reader.one_of("units", names, "m");
+    for (const auto& [name, metres] : kUnits) {
+        if (name == units) return metres;
+    }
+    return 1;
+}
+
+/// Every name is known afterwards, also of materials that have problems.
+std::vector<renderer::MaterialDescription> read_materials(const std::optional<JsonValue>& value,
+                                                          SpectrumReader& spectra,
+                                                          const Limits& limits, NameIndex& names) {
+    std::vector<renderer::MaterialDescription> materials;
+    if (!value) return materials;
+    if (!value->json().is_object()) {
+        value->report_type("an object of materials by name");
+        return materials;
+    }
+    if (value->json().size() > limits.materials) {
+        value->report("over-limit", "there are too many materials",
+                      "at most " + std::to_string(limits.materials) + " materials");
+    }
+    for (const auto& [name, json] : value->json().items()) {
+        names.emplace(name, materials.size());
+        auto model = read_material(value->member(name), spectra);
+        materials.push_back({name, std::move(model).value_or(renderer::MaterialModel{})});
+    }
+    return materials;
+}
+
+std::vector<renderer::LightDescription> read_lights(const std::optional<JsonValue>& value,
+                                                    SpectrumReader& spectra, const Limits& limits) {
+    std::vector<renderer::LightDescription> lights;
+    if (!value || !value->is_array(0, limits.lights, "lights")) return lights;
+    for (std::size_t i = 0; i < value->json().size(); ++i) {
+        auto light = read_light(value->element(i), spectra);
+        if (light) lights.push_back(*std::move(light));
+    }
+    return lights;
+}
+
+}  // namespace
+
+bool read_format(JsonReader& reader, std::string_view format) {
+    const auto found = reader.require("format");
+    if (!found || found->json() == format) return true;
+    const std::string allowed = quoted_list({format});
+    if (found->json().is_string()) {
+        found->report("unknown-format", "this format is not known here", allowed);
+    } else {
+        found->report_type(allowed);
+    }
+    return false;
+}
+
+renderer::SceneDescription read_scene(const JsonValue& value, const ReadContext& context) {
+    const Limits& limits = context.limits;
+    renderer::SceneDescription scene;
+    JsonReader reader(value);
+    if (!reader.is_object() || !read_format(reader, kSceneFormat)) return scene;
+    if (const auto name = reader.find("name")) {
+        scene.name = name->text(limits.name_bytes).value_or("");
+    }
+    scene.metres_per_unit = read_units(reader);
+    if (const auto at = reader.require("camera")) {
+        const auto camera = read_camera(*at, limits).value_or(ReadCamera{});
+        scene.camera = camera.camera;
+        scene.resolution = camera.resolution;
+    }
+    SpectrumReader spectra(reader.find("spectra"), limits);
+    NameIndex material_names;
+    scene.materials = read_materials(reader.find("materials"), spectra, limits, material_names);
+    NameIndex object_names;
+    if (const auto at = reader.require("objects")) {
+        scene.objects = read_objects(*at, material_names, context, object_names);
+    }
+    scene.lights = read_lights(reader.find("lights"), spectra, limits);
+    if (const auto at = reader.find("environment")) {
+        scene.environment = read_environment(*at, spectra);
+    }
+    if (const auto at = reader.find("ambient")) {
+        scene.ambient = read_ambient(*at, object_names, spectra);
+    }
+    spectra.read_all();
+    reader.reject_unknown_keys();
+    return scene;
+}
+
+}  // namespace bouguer::api
