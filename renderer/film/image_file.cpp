@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/film/image_file.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "renderer/spectrum/colour.h"
+#include "renderer/spectrum/display.h"
+
+namespace bouguer::renderer {
+namespace {
+
+/// Every call into OpenImageIO comes after this: it starts no threads of its own, because the
+/// callers are a pool of workers already.
+void set_up_library() {
+    [[maybe_unused]] static const bool done =
+        OIIO::attribute("threads", 1) && OIIO::attribute("exr_threads", -1);
+}
+
+Xyz pixel(const Picture& picture, std::size_t i) {
+    const float* p = picture.xyz.data() + 3 * i;
+    return {p[0], p[1], p[2]};
+}
+
+std::size_t num_pixels(const Picture& picture) { return picture.xyz.size() / 3; }
+
+Result<void> check_size(const Picture& picture) {
+    if (picture.width > 0 && picture.height > 0 &&
+        picture.xyz.size() ==
+            3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height))
+        return {};
+    return fail(ErrorKind::Internal, "the picture's size and its number of values do not agree");
+}
+
+/// `values` as the file that `spec` describes; `format` is "png" or "exr".
+Result<std::string> write(const std::string& format, const OIIO::ImageSpec& spec,
+                          const void* values) {
+    set_up_library();
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const std::string name = "picture." + format;
+    const auto out = OIIO::ImageOutput::create(name);
+    if (!out) return fail(ErrorKind::Internal, "cannot write " + format + ": " + OIIO::geterror());
+    out->threads(1);
+    if (!out->set_ioproxy(&memory) || !out->open(name, spec) ||
+        !out->write_image(spec.format, values) || !out->close())
+        return fail(ErrorKind::Internal, "cannot write " + format + ": " + out->geterror());
+    return std::string(bytes.begin(), bytes.end());
+}
+
+OIIO::ImageSpec spec_of(const Picture& picture, OIIO::TypeDesc type) {
+    OIIO::ImageSpec spec(picture.width, picture.height, 3, type);
+    spec.attribute("Software", "Bouguer");
+    return spec;
+}
+
+std::uint8_t to_byte(double encoded) { return static_cast<std::uint8_t>(encoded * 255 + 0.5); }
+
+/// Primaries and white, x and y each, as the EXR attribute lists them.
+using Chromaticities = std::array<float, 8>;
+constexpr Chromaticities kRec709{0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F};
+constexpr Chromaticities kXyz{1, 0, 0, 1, 0, 0, 1.0F / 3, 1.0F / 3};
+
+}  // namespace
+
+double automatic_exposure(const Picture& picture) {
+    std::vector<float> luminances;
+    luminances.reserve(num_pixels(picture));
+    for (std::size_t i = 1; i < picture.xyz.size(); i += 3)
+        if (std::isfinite(picture.xyz[i])) luminances.push_back(picture.xyz[i]);
+    if (luminances.empty()) return 1;
+    // The smallest value that at least 99 % of the pixels do not exceed.
+    const std::size_t rank = (luminances.size() * 99 + 99) / 100 - 1;
+    const auto percentile = luminances.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(luminances.begin(), percentile, luminances.end());
+    double reference = *percentile;
+    if (reference <= 0) reference = *std::max_element(percentile, luminances.end());
+    return reference > 0 ? 1 / reference : 1;
+}
+
+Result<std::string> encode_png(const Picture& picture, const OutputSettings& output,
+                               ImageInfo* info) {
+    if (const auto ok = check_size(picture); !ok) return tl::unexpected(ok.error());
+    const Display* display = find_display(output.display);
+    if (!display)
+        return fail(ErrorKind::InvalidInput, "there is no display \"" + output.display + "\"");
+
+    ImageInfo seen;
+    seen.exposure = output.exposure ? *output.exposure : automatic_exposure(picture);
+    std::vector<std::uint8_t> bytes(picture.xyz.size());
+    for (std::size_t i = 0; i < num_pixels(picture); ++i) {
+        bool clipped = false;
+        const auto rgb = display->show(pixel(picture, i) * seen.exposure, &clipped);
+        std::transform(rgb.begin(), rgb.end(), bytes.begin() + static_cast<std::ptrdiff_t>(3 * i),
+                       to_byte);
+        seen.clipped_pixels += clipped ? 1 : 0;
+    }
+    if (info) *info = seen;
+
+    OIIO::ImageSpec spec = spec_of(picture, OIIO::TypeDesc::UINT8);
+    // Only sRGB has a chunk of its own; numbers for another display carry no claim.
+    if (display->name == "srgb") spec.attribute("oiio:ColorSpace", "sRGB");
+    return write("png", spec, bytes.data());
+}
+
+Result<std::string> encode_exr(const Picture& picture, const OutputSettings& output) {
+    if (const auto ok = check_size(picture); !ok) return tl::unexpected(ok.error());
+    const bool is_xyz = output.exr_colour == FileColour::Xyz;
+    std::vector<float> values = picture.xyz;
+    if (!is_xyz) {
+        for (std::size_t i = 0; i < num_pixels(picture); ++i) {
+            const Xyz c = pixel(picture, i);
+            const auto rgb = xyz_to_rec709() * std::array{c.x, c.y, c.z};
+            for (std::size_t k = 0; k < 3; ++k) values[3 * i + k] = static_cast<float>(rgb[k]);
+        }
+    }
+
+    OIIO::ImageSpec spec = spec_of(picture, OIIO::TypeDesc::FLOAT);
+    spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "");  // or the time of writing goes in, and no two files are equal
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
+                   is_xyz ? kXyz.data() : kRec709.data());
+    spec.attribute("whiteLuminance",
+                   static_cast<float>(kMaxLuminousEfficacy_lm_per_W * kYIntegral_nm));
+    return write("exr", spec, values.data());
+}
+
+Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_pixels) {
+    set_up_library();
+    constexpr std::string_view kPng = "\x89PNG", kExr = "\x76\x2f\x31\x01";
+    const bool is_png = bytes.starts_with(kPng);
+    if (!is_png && !bytes.starts_with(kExr))
+        return fail(ErrorKind::InvalidInput, "neither a PNG nor an EXR file");
+
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    const auto in =
+        OIIO::ImageInput::open(is_png ? "picture.png" : "picture.exr", nullptr, &memory);
+    if (!in) {
+        static_cast<void>(OIIO::geterror());  // taken, so that it does not wait for the next caller
+        return fail(ErrorKind::InvalidInput, "the image cannot be read: its header is damaged");
+    }
+    const OIIO::ImageSpec& spec = in->spec();
+    in->threads(1);
+    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 ||
+        spec.image_pixels() > max_pixels)
+        return fail(ErrorKind::InvalidInput, "the image is empty or too large");
+
+    DecodedImage image{spec.width, spec.height, spec.nchannels, {}, {}, {}};
+    image.values.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
+    if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()))
+        return fail(ErrorKind::InvalidInput, "the image cannot be read: its pixels are damaged");
+    if (std::array<float, 8> c{};
+        spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), c.data()))
+        image.chromaticities = c;
+    if (float y = 0; spec.getattribute("whiteLuminance", OIIO::TypeDesc::FLOAT, &y))
+        image.white_luminance = y;
+    return image;
+}
+
+std::string image_library_version() {
+    const int v = OIIO::openimageio_version();  // 20407 is 2.4.7
+    return "OpenImageIO " + std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." +
+           std::to_string(v % 100);
+}
+
+}  // namespace bouguer::renderer
