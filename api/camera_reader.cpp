@@ -42,12 +42,13 @@ std::optional<View> read_view(JsonReader& reader) {
     return std::nullopt;
 }
 
-/// perspective: the view and fov_deg, the full vertical angle, in (0, 180).
+/// perspective: the view and fov_deg, the full vertical angle, in (0, 180), default 40.
 MaybeCamera read_perspective(JsonReader& reader) {
     const auto view = read_view(reader);
-    const auto fov_deg = reader.require_number("fov_deg", kFov_deg);
-    if (!view || !fov_deg) return std::nullopt;
-    return renderer::PerspectiveCamera{view->from, view->at, view->up, *fov_deg};
+    const double fov_deg =
+        reader.number("fov_deg", kFov_deg, renderer::PerspectiveCamera{}.fov_deg);
+    if (!view) return std::nullopt;
+    return renderer::PerspectiveCamera{view->from, view->at, view->up, fov_deg};
 }
 
 /// orthographic: the view and height, what the picture's height shows, in scene units.
