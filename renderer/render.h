@@ -25,7 +25,7 @@
 namespace bouguer::renderer {
 
 class Scene;       // scene/scene.h: immutable, thread-safe
-class UnitResult;  // film/unit_result.h
+class UnitResult;  // film/unit_result.h: include it where units are traced
 
 /// Error{InvalidInput}: a value that only the renderer can judge. Error{Internal}: memory.
 [[nodiscard]] Result<std::shared_ptr<const Scene>> build_scene(const SceneDescription& description);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every integrator does: the colour that arrives along one camera ray.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "renderer/core/vec3.h"
+#include "renderer/samplers/pixel_sampler.h"
+#include "renderer/scene/scene.h"
+#include "renderer/settings.h"
+#include "renderer/spectrum/spectral_basis.h"
+
+namespace bouguer::renderer {
+
+/// What happened on the way, for report and health. Added up over units.
+struct TraceCounters {
+    std::uint64_t rays = 0;
+    std::uint64_t rays_cut_by_depth = 0, rays_cut_by_threshold = 0;
+    double depth_throughput = 0, threshold_throughput = 0;  ///< weight in Y of what was cut
+    std::uint64_t unmatched_exits = 0, medium_stack_overflows = 0, shadow_rays_cut = 0;
+    std::uint64_t total_reflections = 0;
+    TraceCounters& operator+=(const TraceCounters& other);
+};
+
+/// Working memory of one thread. Made once a unit, so that no sample allocates.
+class TraceScratch {
+  public:
+    virtual ~TraceScratch() = default;
+};
+
+/// Immutable and thread-safe; each thread brings its own scratch and counters.
+class Integrator {
+  public:
+    virtual ~Integrator() = default;
+    [[nodiscard]] virtual std::unique_ptr<TraceScratch> make_scratch() const = 0;
+    /// XYZ of the radiance along `ray`. Pure function of scene, settings, ray and sampler.
+    virtual Xyz trace(const Ray& ray, const PixelSampler& sampler, TraceScratch& scratch,
+                      TraceCounters& counters) const = 0;
+    [[nodiscard]] virtual std::string kernel_name() const = 0;
+};
+
+}  // namespace bouguer::renderer

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/scene/scene.h"
+
+#include "renderer/render.h"
+
+namespace bouguer::renderer {
+
+Result<std::shared_ptr<const Scene>> Scene::build(const SceneDescription& description) {
+    std::vector<PlacedShape> shapes;
+    shapes.reserve(description.objects.size());
+    for (const ObjectDescription& object : description.objects) shapes.push_back(object.placed);
+    auto geometry = Geometry::build(shapes);
+    if (!geometry) return tl::unexpected(geometry.error());
+
+    std::shared_ptr<Scene> scene(new Scene);
+    scene->geometry_ = std::move(*geometry);
+    scene->camera_ = description.camera;
+    scene->materials_ = description.materials;
+    scene->environment_ = description.environment;
+    scene->ambient_ = description.ambient;
+    for (const ObjectDescription& object : description.objects) {
+        scene->object_materials_.push_back(static_cast<std::uint32_t>(object.material));
+        scene->object_is_sheet_.push_back(std::holds_alternative<Disk>(object.placed.shape));
+        if (const auto* mesh =
+                std::get_if<std::shared_ptr<const TriangleMesh>>(&object.placed.shape)) {
+            scene->dropped_triangles_ += (*mesh)->dropped_triangles;
+        }
+    }
+    const Vec3 origin = scene->geometry_->origin();
+    for (const LightDescription& light : description.lights) {
+        scene->lights_.push_back(Light::make(light, origin, description.metres_per_unit));
+    }
+    return scene;
+}
+
+Result<std::shared_ptr<const Scene>> build_scene(const SceneDescription& description) {
+    return Scene::build(description);
+}
+
+}  // namespace bouguer::renderer

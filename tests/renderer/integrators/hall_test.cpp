@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+// The seed's equations against closed forms. Spectra are constant, so X = Y = Z = the radiance.
+#include "renderer/integrators/hall.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/scenes.h"
+
+namespace bouguer::renderer {
+namespace {
+
+using test::absorbing;
+using test::clear;
+using test::matt;
+using test::SceneBuilder;
+
+constexpr Real kFar = 1e4;
+
+RenderSettings exact_settings() {
+    RenderSettings settings;
+    settings.min_throughput = 0;
+    settings.wavelength_step_nm = 1;
+    return settings;
+}
+
+struct Seen {
+    double y;
+    TraceCounters counters;
+};
+
+/// Mean of `samples` samples of the radiance that arrives at `from` from the direction of `at`.
+Seen look(const Scene& scene, Vec3 from, Vec3 at, const RenderSettings& settings = exact_settings(),
+          std::uint32_t samples = 1) {
+    const auto integrator =
+        make_hall(scene, SpectralBasis::wavelengths(settings.wavelength_step_nm), settings, {});
+    const auto scratch = integrator->make_scratch();
+    Seen seen{};
+    const Ray ray{from - scene.geometry().origin(), normalize(at - from)};
+    for (std::uint32_t s = 0; s < samples; ++s) {
+        seen.y += integrator->trace(ray, PixelSampler(1, 0, 0, s, 1), *scratch, seen.counters).y /
+                  samples;
+    }
+    return seen;
+}
+
+DirectionalLight sun(Vec3 direction, double irradiance = 1) {
+    return {direction, constant_spectrum(irradiance)};
+}
+
+SceneBuilder in_environment(double radiance = 1) {
+    SceneBuilder builder;
+    builder.description.environment = ConstantEnvironment{constant_spectrum(radiance)};
+    return builder;
+}
+
+HallMaterial glass(double ior, double transmittance) {
+    HallMaterial m = clear(ior);
+    m.absorption = absorbing(transmittance);
+    return m;
+}
+
+Box slab(Real thickness) { return {{-kFar, -kFar, -thickness}, {kFar, kFar, 0}}; }
+
+// ---- equation 1 ----
+
+// The paper's example: 3 units of 0.9 a unit leave 0.9^3 = 0.729.
+TEST(HallAbsorption, LeavesThePowerOfTheThickness) {
+    const auto scene = in_environment().add(slab(3), glass(1, 0.9)).build();
+    EXPECT_NEAR(look(*scene, {0.1, 0.2, 5}, {0.1, 0.2, -10}).y, 0.729, 1e-6);
+}
+
+// Three touching slabs of 1 are one of 3.
+TEST(HallAbsorption, DoesNotCareForCutsThroughTheBody) {
+    const auto scene = in_environment()
+                           .add(Box{{-9, -9, -1}, {9, 9, 0}}, glass(1, 0.9))
+                           .add(Box{{-9, -9, -2}, {9, 9, -1}}, glass(1, 0.9))
+                           .add(Box{{-9, -9, -3}, {9, 9, -2}}, glass(1, 0.9))
+                           .build();
+    EXPECT_NEAR(look(*scene, {0.1, 0.2, 5}, {0.1, 0.2, -10}).y, 0.729, 2e-6);
+}
+
+// At 45 degrees the way through glass of 1.5 is 1/cos(asin(sin 45 / 1.5)) = 1.133893 times the
+// thickness.
+TEST(HallAbsorption, FollowsTheRefractedLength) {
+    const auto scene = in_environment().add(slab(1), glass(1.5, 0.9)).build();
+    EXPECT_NEAR(look(*scene, {0, 0, 5}, {5, 0, 0}).y, std::pow(0.9, 1.133893), 1e-6);
+}
+
+TEST(HallAbsorption, IsExactAtItsEnds) {
+    EXPECT_EQ(look(*in_environment().add(slab(3), glass(1, 0)).build(), {0, 0, 5}, {0, 0, 0}).y, 0);
+    EXPECT_NEAR(look(*in_environment().add(slab(3), glass(1, 1)).build(), {0, 0, 5}, {0, 0, 0}).y,
+                1, 1e-6);
+}
+
+// A camera inside a body looks through what lies between it and the surface.
+TEST(HallAbsorption, BeginsAtACameraInsideTheBody) {
+    const auto scene = in_environment().add(Sphere{{0, 0, 0}, 3}, glass(1.5, 0.9)).build();
+    const Seen seen = look(*scene, {0, 0, 0}, {0, 0, 1});
+    EXPECT_NEAR(seen.y, 0.729, 1e-6);
+    EXPECT_EQ(seen.counters.unmatched_exits, 0U);
+}
+
+// Each face passes k_st F_st = 0.9 * 0.8.
+TEST(HallTransmission, WeighsEachFace) {
+    HallMaterial m = clear(1.3);
+    m.k_st = 0.9;
+    m.transmittance = constant_spectrum(0.8);
+    EXPECT_NEAR(look(*in_environment().add(slab(1), m).build(), {0, 0, 5}, {0, 0, 0}).y,
+                0.72 * 0.72, 1e-6);
+}
+
+// A disk has no inside: it weighs once, bends nothing and absorbs nothing.
+TEST(HallTransmission, TreatsADiskAsASheet) {
+    const auto scene = in_environment().add(Disk{{0, 0, 0}, {0, 0, 1}, 2}, glass(1.5, 0.1)).build();
+    EXPECT_NEAR(look(*scene, {0, 0, 5}, {0.5, 0, 0}).y, 1, 1e-6);
+}
+
+// ---- equation 4 ----
+
+// k_sr I F (L.N)^n'.
+TEST(HallReflection, IsThePowerOfTheCosine) {
+    for (const double degrees : {0.0, 30.0, 60.0, 89.0}) {
+        for (const double n : {0.0, 1.0, 2.5, 20.0}) {
+            HallMaterial m = matt(0.8);
+            m.k_sr = 0.5;
+            m.n = n;
+            const Real angle = degrees_to_radians(degrees);
+            const auto scene = SceneBuilder()
+                                   .add(Plane{{0, 0, 0}, {0, 0, 1}}, m)
+                                   .light(sun({std::sin(angle), 0, -std::cos(angle)}, 2))
+                                   .build();
+            const double expected = 0.5 * 2 * 0.8 * std::pow(std::cos(angle), n);
+            EXPECT_NEAR(look(*scene, {0, 1, 5}, {0, 0, 0}).y, expected, 1e-6)
+                << degrees << " degrees, n' = " << n;
+        }
+    }
+}
+
+TEST(HallReflection, SeesNothingOfALampBehindAnOpaqueSurface) {
+    const auto scene =
+        SceneBuilder().add(Plane{{0, 0, 0}, {0, 0, 1}}, matt(1)).light(sun({0, 0, 1})).build();
+    EXPECT_EQ(look(*scene, {0, 0, 5}, {0, 0, 0}).y, 0);
+}
+
+// Intensity 3 W/sr/nm at 200 cm is 3 / 2^2 = 0.75 W/m^2/nm.
+TEST(HallReflection, FallsWithTheSquareOfTheDistanceInMetres) {
+    SceneBuilder builder;
+    builder.description.metres_per_unit = 0.01;
+    builder.add(Plane{{0, 0, 0}, {0, 0, 1}}, matt(1))
+        .light(PointLight{{0, 0, 200}, constant_spectrum(3)});
+    EXPECT_NEAR(look(*builder.build(), {0, 5, 5}, {0, 0, 0}).y, 0.75, 1e-6);
+}
+
+TEST(HallReflection, IsDarkInTheShadowOfAnOpaqueBody) {
+    const auto scene = SceneBuilder()
+                           .add(Plane{{0, 0, 0}, {0, 0, 1}}, matt(1))
+                           .add(Sphere{{0, 0, 5}, 1}, matt(1))
+                           .light(sun({0, 0, -1}))
+                           .build();
+    EXPECT_EQ(look(*scene, {5, 0, 1}, {0, 0, 0}).y, 0);
+    EXPECT_NEAR(look(*scene, {5, 0, 1}, {1.5, 0, 0}).y, 1, 1e-6);
+}
+
+// Light that comes straight through a clear body of 2 units with t = 0.9 and k_st = 0.8 a face:
+// 0.8^2 * 0.9^2.
+TEST(HallReflection, IsTintedInTheShadowOfAClearBody) {
+    HallMaterial m = glass(1.5, 0.9);
+    m.k_st = 0.8;
+    const auto scene = SceneBuilder()
+                           .add(Plane{{0, 0, 0}, {0, 0, 1}}, matt(1))
+                           .add(Sphere{{0, 0, 5}, 1}, m)
+                           .light(sun({0, 0, -1}))
+                           .build();
+    EXPECT_NEAR(look(*scene, {5, 0, 1}, {0, 0, 0}).y, 0.64 * 0.81, 1e-6);
+}
+
+// A mirror of k_sr F = 0.5 * 0.8 shows the environment at that share, at any angle: the lobe shapes
+// lamps only.
+TEST(HallReflection, CarriesTheMirroredRay) {
+    HallMaterial m = matt(0.8);
+    m.k_sr = 0.5;
+    m.n = 20;
+    m.mirror = true;
+    const auto scene = in_environment(3).add(Plane{{0, 0, 0}, {0, 0, 1}}, m).build();
+    EXPECT_NEAR(look(*scene, {0, 0, 5}, {0, 0, 0}).y, 1.2, 1e-5);
+    EXPECT_NEAR(look(*scene, {0, 5, 1}, {0, 0, 0}).y, 1.2, 1e-5);
+}
+
+// A surface without reflected ray gathers a constant environment over its lobe: 2 pi / (n' + 1).
+TEST(HallReflection, GathersTheEnvironmentOverItsLobe) {
+    for (const double n : {1.0, 20.0}) {
+        HallMaterial m = matt(0.5);
+        m.n = n;
+        const auto scene = in_environment().add(Plane{{0, 0, 0}, {0, 0, 1}}, m).build();
+        EXPECT_NEAR(look(*scene, {0, 0, 5}, {0, 0, 0}).y, 0.5 * 2 * kPi / (n + 1), 1e-5);
+    }
+}
+
+// ---- equation 3 ----
+
+// A lamp behind a clear sheet: k_st I F_st (-L.N)^n'.
+TEST(HallTransmission, LetsLampsShineThrough) {
+    HallMaterial m = clear(1);
+    m.k_st = 0.9;
+    m.transmittance = constant_spectrum(0.5);
+    m.n = 20;
+    const Real angle = 0.2;
+    const auto scene = SceneBuilder()
+                           .add(Disk{{0, 0, 0}, {0, 0, 1}, 2}, m)
+                           .light(sun({std::sin(angle), 0, std::cos(angle)}, 2))
+                           .build();
+    EXPECT_NEAR(look(*scene, {0, 0, 5}, {0, 0, 0}).y, 0.9 * 2 * 0.5 * std::pow(std::cos(angle), 20),
+                1e-6);
+}
+
+// ---- total reflection ----
+
+// Along a cube's diagonal every face is met at acos(1/sqrt 3) = 54.7 degrees, beyond the
+// critical 41.8 of glass: no light gets out, and after ten reflections all of it is booked as cut.
+TEST(HallTotalReflection, TrapsTheDiagonalOfAGlassCube) {
+    const auto scene = in_environment().add(Box{{-1, -1, -1}, {1, 1, 1}}, clear(1.5)).build();
+    RenderSettings settings = exact_settings();
+    settings.max_depth = 10;
+    const Seen seen = look(*scene, {0.1, 0.2, 0.3}, {1.1, 1.2, 1.3}, settings);
+    EXPECT_EQ(seen.y, 0);
+    EXPECT_EQ(seen.counters.total_reflections, 11U);
+    EXPECT_EQ(seen.counters.rays_cut_by_depth, 1U);
+    EXPECT_NEAR(seen.counters.depth_throughput, 1, 1e-6);
+}
+
+// The same cube of index 1.2 (critical angle 56.4 degrees) lets it out at once.
+TEST(HallTotalReflection, EndsAtTheCriticalAngle) {
+    const auto scene = in_environment().add(Box{{-1, -1, -1}, {1, 1, 1}}, clear(1.2)).build();
+    EXPECT_NEAR(look(*scene, {0.1, 0.2, 0.3}, {1.1, 1.2, 1.3}).y, 1, 1e-6);
+}
+
+// ---- truncation ----
+
+// Inside a closed mirror of k_sr F = 0.5 a ray cut after D = 3 reflections carries 0.5^4 of the
+// light.
+TEST(HallTruncation, BooksWhatTheDepthLimitCuts) {
+    HallMaterial m = matt(0.5);
+    m.mirror = true;
+    const auto scene = SceneBuilder().add(Sphere{{0, 0, 0}, 1}, m).build();
+    RenderSettings settings = exact_settings();
+    settings.max_depth = 3;
+    const Seen seen = look(*scene, {0.1, 0.2, 0.3}, {1, 1, 1}, settings);
+    EXPECT_NEAR(seen.counters.depth_throughput, 0.0625, 1e-6);
+    EXPECT_EQ(seen.counters.rays, 4U);
+}
+
+TEST(HallTruncation, BooksWhatTheThresholdCuts) {
+    HallMaterial m = matt(0.5);
+    m.mirror = true;
+    const auto scene = SceneBuilder().add(Sphere{{0, 0, 0}, 1}, m).build();
+    RenderSettings settings = exact_settings();
+    settings.min_throughput = 0.1;
+    const Seen seen = look(*scene, {0.1, 0.2, 0.3}, {1, 1, 1}, settings);
+    EXPECT_EQ(seen.counters.rays_cut_by_threshold, 1U);
+    EXPECT_NEAR(seen.counters.threshold_throughput, 0.0625, 1e-6);
+}
+
+// Two transparent bodies that split every ray in two, as deep as a client may ask: the tree stays
+// bounded.
+TEST(HallTruncation, BoundsTheTreeOfRays) {
+    HallMaterial m = clear(1.3);
+    m.k_sr = 1;
+    m.mirror = true;
+    const auto scene =
+        in_environment().add(Sphere{{0, 0, 0}, 1}, m).add(Sphere{{0, 0, 3}, 1}, m).build();
+    RenderSettings settings = exact_settings();
+    settings.max_depth = 64;
+    const Seen seen = look(*scene, {0.1, 0.2, -5}, {0, 0, 0}, settings);
+    EXPECT_LE(seen.counters.rays, static_cast<std::uint64_t>(kMaxNodesPerSample));
+    EXPECT_GT(seen.counters.rays_cut_by_depth, 0U);
+}
+
+// ---- equation 2 ----
+
+AmbientDescription ambient(double k_a, double illuminant) {
+    return {k_a, HemisphereWeights{}, constant_spectrum(illuminant)};
+}
+
+// K_a sum k_i R_i^n_i with two neighbours: 0.5 * 2 * (0.25 * 0.8^1 + 0.125 * 0.5^3).
+TEST(HallAmbient, SumsTheNeighboursWithGivenWeights) {
+    SceneBuilder builder;
+    HallMaterial cubed = matt(0.5);
+    cubed.n = 3;
+    builder.add(Plane{{0, 0, 0}, {0, 0, 1}}, matt(0.9))
+        .add(Sphere{{5, 0, 1}, 1}, matt(0.8))
+        .add(Sphere{{-5, 0, 1}, 1}, cubed);
+    builder.description.ambient = ambient(0.5, 2);
+    builder.description.ambient->weights =
+        ExplicitWeights{{99, 0.25, 0.125}};  // the shaded object's own weight does not count
+    EXPECT_NEAR(look(*builder.build(), {0, 5, 5}, {0, 0, 0}).y,
+                0.5 * 2 * (0.25 * 0.8 + 0.125 * 0.125), 1e-6);
+}
+
+// A disk of radius r parallel to the floor at height h covers r^2 / (r^2 + h^2) of the
+// cosine-weighted hemisphere below its centre: 0.2 for r = 1, h = 2. 4096 stratified samples.
+TEST(HallAmbient, WeighsNeighboursByTheHemisphereTheyCover) {
+    SceneBuilder builder;
+    builder.add(Plane{{0, 0, 0}, {0, 0, 1}}, matt(0.9))
+        .add(Disk{{0, 0, 2}, {0, 0, 1}, 1}, matt(0.5));
+    builder.description.ambient = ambient(1, 1);
+    EXPECT_NEAR(look(*builder.build(), {5, 0, 1}, {0, 0, 0}, exact_settings(), 4096).y, 0.2 * 0.5,
+                1e-3);
+}
+
+TEST(HallAmbient, IsZeroWithoutNeighbours) {
+    SceneBuilder builder;
+    builder.add(Sphere{{0, 0, 0}, 1}, matt(0.9));
+    builder.description.ambient = ambient(1, 1);
+    EXPECT_EQ(look(*builder.build(), {0, 0, 5}, {0, 0, 0}, exact_settings(), 64).y, 0);
+}
+
+// Without an illuminant of its own the ambient light is what arrives from the lamps, shadowed or
+// not.
+TEST(HallAmbient, TakesTheLightOfTheLamps) {
+    SceneBuilder builder;
+    builder.add(Plane{{0, 0, 0}, {0, 0, 1}}, matt(0.9)).add(Sphere{{5, 0, 1}, 1}, matt(0.8));
+    builder.light(sun({0, 0, 1}, 2)).light(sun({0, 1, 1}, 3));  // both from below
+    builder.description.ambient = AmbientDescription{0.5, ExplicitWeights{{0, 0.25}}, nullptr};
+    EXPECT_NEAR(look(*builder.build(), {0, 5, 5}, {0, 0, 0}).y, 0.5 * 5 * 0.25 * 0.8, 1e-6);
+}
+
+// Where light comes out of a clear body, equation 3 sums the neighbours' transmittances: opaque
+// ones give nothing, clear ones F_st^n. The body's front adds the reflectances by equation 4.
+TEST(HallAmbient, SumsTransmittancesWhereLightComesOut) {
+    SceneBuilder builder;
+    HallMaterial neighbour = clear(1);
+    neighbour.transmittance = constant_spectrum(0.5);
+    builder.add(slab(1), clear(1))
+        .add(Sphere{{5, 0, 9}, 1}, neighbour)
+        .add(Sphere{{-5, 0, 9}, 1}, matt(0.25));
+    builder.description.ambient = ambient(1, 1);
+    builder.description.ambient->weights = ExplicitWeights{{0, 0.1, 0.2}};
+    // front: 0.2 * 0.25 (the clear one has k_sr = 0); back: 0.1 * 0.5
+    EXPECT_NEAR(look(*builder.build(), {0, 0, 5}, {0, 0, 0}).y, 0.2 * 0.25 + 0.1 * 0.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace bouguer::renderer

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/render.h"
+
+#include <gtest/gtest.h>
+
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "renderer/film/unit_result.h"
+#include "renderer/pass_plan.h"
+#include "tests/support/scenes.h"
+
+namespace bouguer::renderer {
+namespace {
+
+using test::clear;
+using test::matt;
+using test::SceneBuilder;
+
+HallMaterial coloured(HallMaterial material, double red) {
+    material.reflectance = sampled_spectrum({400, 700}, {1 - red, red}).value();
+    return material;
+}
+
+/// A floor, a ball of the given material and a coloured one beside it, under two lamps.
+SceneBuilder still_life(HallMaterial ball) {
+    SceneBuilder builder;
+    builder.description.camera = PerspectiveCamera{{0, 4, 12}, {0, 1, 0}, {0, 1, 0}, 40};
+    builder.add(Plane{{0, 0, 0}, {0, 1, 0}}, matt(0.7))
+        .add(Sphere{{-1.2, 1, 0}, 1}, std::move(ball))
+        .add(Sphere{{1.2, 1, 0}, 1}, coloured(matt(0.5), 0.9))
+        .light(PointLight{{5, 8, 5}, scaled_spectrum(library_spectrum("D65"), 100)})
+        .light(DirectionalLight{{1, -1, -1}, scaled_spectrum(library_spectrum("A"), 0.2)});
+    return builder;
+}
+
+HallMaterial green_glass() {
+    HallMaterial glass = clear(1.3);
+    glass.k_st = 0.9;
+    glass.k_sr = 0.1;
+    glass.n = 20;
+    glass.mirror = true;
+    glass.absorption = Absorption{sampled_spectrum({400, 550, 700}, {0.3, 0.9, 0.4}).value(), 1};
+    return glass;
+}
+
+RenderSettings small(int width = 70, int height = 45) {
+    RenderSettings settings;
+    settings.resolution = {width, height};
+    return settings;
+}
+
+/// Renders on `threads` threads that take and merge units as they come.
+std::vector<float> render_on(int threads, std::shared_ptr<const Scene> scene,
+                             const RenderSettings& settings, std::uint32_t samples) {
+    StopRule stop;
+    stop.samples = samples;
+    const auto render = Render::create(std::move(scene), settings, stop).value();
+    std::mutex mutex;
+    const auto work = [&] {
+        while (true) {
+            std::unique_lock lock(mutex);
+            if (render->finished()) return;
+            const auto unit = render->next_unit();
+            lock.unlock();
+            if (!unit) {
+                std::this_thread::yield();
+                continue;
+            }
+            auto result = render->trace(*unit);
+            lock.lock();
+            render->merge(std::move(result), 0);
+        }
+    };
+    std::vector<std::thread> pool;
+    for (int i = 0; i < threads; ++i) pool.emplace_back(work);
+    for (std::thread& t : pool) t.join();
+    return render->picture()->xyz;
+}
+
+TEST(Render, GivesTheSameBitsForAnyNumberOfThreads) {
+    auto builder = still_life(green_glass());
+    builder.description.ambient = AmbientDescription{0.3, HemisphereWeights{}, nullptr};
+    const auto scene = builder.build();
+    const auto one = render_on(1, scene, small(), 20);
+    EXPECT_EQ(one, render_on(2, scene, small(), 20));
+    EXPECT_EQ(one, render_on(7, scene, small(), 20));
+}
+
+TEST(Render, DependsOnTheSeed) {
+    const auto scene = still_life(green_glass()).build();
+    RenderSettings other = small();
+    other.seed = 2;
+    EXPECT_NE(test::render(scene, small(), 2)->picture()->xyz,
+              test::render(scene, other, 2)->picture()->xyz);
+}
+
+// A unit traced twice, or on its own, is the same unit.
+TEST(Render, TracesUnitsAsPureFunctions) {
+    const auto scene = still_life(green_glass()).build();
+    StopRule stop;
+    stop.samples = 4;
+    const auto render = Render::create(scene, small(), stop).value();
+    const Unit unit{2, 32, 32, 8, 8, 2, 2};
+    const auto first = render->trace(unit);
+    const auto second = render->trace(unit);
+    for (int y = 32; y < 40; ++y) {
+        for (int x = 32; x < 40; ++x) {
+            for (std::uint32_t slot = 0; slot < 2; ++slot)
+                EXPECT_EQ(first->at(x, y, slot).sum, second->at(x, y, slot).sum);
+        }
+    }
+}
+
+// Leaving out what the scene does not need never changes the picture: every combination of
+// transparency, ambient and colour.
+class Specialisation : public testing::TestWithParam<std::tuple<bool, bool, bool>> {};
+
+TEST_P(Specialisation, GivesThePictureOfTheGeneralKernel) {
+    const auto [transparent, with_ambient, grey] = GetParam();
+    HallMaterial ball = transparent ? green_glass() : matt(0.5);
+    if (grey && transparent) ball.absorption = test::absorbing(0.8);
+    auto builder = still_life(ball);
+    if (grey) {
+        builder.description.materials.back().model = matt(0.4);
+        builder.description.lights.pop_back();
+    }
+    if (with_ambient)
+        builder.description.ambient = AmbientDescription{0.3, HemisphereWeights{}, nullptr};
+    const auto scene = builder.build();
+    RenderSettings general = small();
+    general.specialise = false;
+    const auto special_render = test::render(scene, small(), 4);
+    const auto general_render = test::render(scene, general, 4);
+    EXPECT_EQ(special_render->report().plan.kernel == general_render->report().plan.kernel,
+              transparent && with_ambient);
+    EXPECT_EQ(special_render->report().plan.values_per_path, grey ? 1U : 95U);
+    const auto special = special_render->picture()->xyz;
+    const auto all = general_render->picture()->xyz;
+    ASSERT_EQ(special.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        // One number instead of a quadrature rounds differently; without that the bits are the
+        // same.
+        if (grey) {
+            ASSERT_NEAR(special[i], all[i], 2e-6 * (1 + all[i])) << i;
+        } else {
+            ASSERT_EQ(special[i], all[i]) << i;
+        }
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Features, Specialisation,
+                         testing::Combine(testing::Bool(), testing::Bool(), testing::Bool()));
+
+TEST(Render, ShowsAPictureAfterEveryPass) {
+    StopRule stop;
+    stop.samples = 7;
+    const auto render = Render::create(still_life(matt(0.5)).build(), small(), stop).value();
+    EXPECT_FALSE(render->picture());
+    std::vector<std::uint32_t> samples;
+    while (auto unit = render->next_unit()) {
+        if (render->merge(render->trace(*unit), 0)) samples.push_back(render->samples_done());
+    }
+    EXPECT_EQ(samples, (std::vector<std::uint32_t>{1, 2, 4, 7}));
+    EXPECT_EQ(render->report().stopped_by, "samples");
+    EXPECT_EQ(render->report().error.size(), 4U);
+    EXPECT_FALSE(render->report().error[0].rmse) << "from one sample the error is unknown";
+    EXPECT_TRUE(render->report().error[1].rmse);
+    EXPECT_EQ(render->progress(0), 1);
+}
+
+TEST(Render, HandsOutAUnitAgainThatWasGivenBack) {
+    StopRule stop;
+    stop.samples = 1;
+    const auto render = Render::create(still_life(matt(0.5)).build(), small(), stop).value();
+    const Unit unit = *render->next_unit();
+    render->give_back(unit);
+    const Unit again = *render->next_unit();
+    EXPECT_EQ(again.x, unit.x);
+    EXPECT_EQ(again.y, unit.y);
+}
+
+TEST(Render, StopsBySeconds) {
+    StopRule stop;
+    stop.seconds = 10;
+    const auto render = Render::create(still_life(matt(0.5)).build(), small(), stop).value();
+    double clock = 0;
+    while (auto unit = render->next_unit()) render->merge(render->trace(*unit), clock += 0.5);
+    EXPECT_EQ(render->report().stopped_by, "seconds");
+    EXPECT_GE(clock, 10);
+}
+
+TEST(Render, StopsAtAnError) {
+    StopRule stop;
+    stop.error = 0.05;
+    stop.samples = 4096;
+    const auto render = Render::create(still_life(matt(0.5)).build(), small(), stop).value();
+    while (auto unit = render->next_unit()) render->merge(render->trace(*unit), 0);
+    const Report report = render->report();
+    EXPECT_EQ(report.stopped_by, "error");
+    EXPECT_LE(report.error.back().relative_rmse->high, 0.05);
+    EXPECT_GT(report.error[report.error.size() - 2].relative_rmse->high, 0.05);
+}
+
+// The pixels of a crop are those of the whole picture.
+TEST(Render, CropsWithoutChangingPixels) {
+    const auto scene = still_life(green_glass()).build();
+    const Picture whole = *test::render(scene, small(), 3)->picture();
+    RenderSettings settings = small();
+    settings.crop = Crop{11, 7, 40, 9};
+    const Picture part = *test::render(scene, settings, 3)->picture();
+    ASSERT_EQ(part.width, 40);
+    ASSERT_EQ(part.height, 9);
+    for (std::size_t y = 0; y < 9; ++y) {
+        for (std::size_t i = 0; i < 120; ++i)
+            EXPECT_EQ(part.xyz[y * 120 + i], whole.xyz[((y + 7) * 70 + 11) * 3 + i]);
+    }
+}
+
+// No lamps, nothing to see: black, without noise, and it ends.
+TEST(Render, RendersDarknessWithoutError) {
+    const auto render = test::render(SceneBuilder().build(), small(8, 8), 16);
+    const Picture picture = *render->picture();
+    for (const float v : picture.xyz) EXPECT_EQ(v, 0);
+    ASSERT_TRUE(render->report().error.back().rmse);
+    EXPECT_EQ(render->report().error.back().rmse->value, 0);
+}
+
+// A grey card under D65 has the colour of D65, at the default 5 nm: x = 0.31272, y = 0.32903 [CIE
+// 015:2018].
+TEST(Render, ShowsAGreyCardInTheColourOfItsLamp) {
+    SceneBuilder builder;
+    builder.add(Plane{{0, 0, 0}, {0, 0, 1}}, matt(0.5))
+        .light(DirectionalLight{{0, 0, -1}, library_spectrum("D65")});
+    for (const bool specialise : {true, false}) {
+        RenderSettings settings = small(4, 4);
+        settings.specialise = specialise;
+        const auto xyz = test::render(builder.build(), settings, 2)->picture()->xyz;
+        const double sum = xyz[0] + xyz[1] + xyz[2];
+        EXPECT_NEAR(xyz[0] / sum, 0.31272, 1e-4);
+        EXPECT_NEAR(xyz[1] / sum, 0.32903, 1e-4);
+    }
+}
+
+// The same scene by three channels: the grey card is grey in Rec.709, so again of D65's colour, and
+// as bright.
+TEST(Render, RendersTheBaselineInThreeChannels) {
+    SceneBuilder builder;
+    builder.add(Plane{{0, 0, 0}, {0, 0, 1}}, matt(0.5))
+        .light(DirectionalLight{{0, 0, -1}, library_spectrum("D65")});
+    RenderSettings settings = small(4, 4);
+    const auto spectral = test::render(builder.build(), settings, 2)->picture()->xyz;
+    settings.integrator = IntegratorType::Rgb;
+    const auto rgb = test::render(builder.build(), settings, 2);
+    EXPECT_EQ(rgb->report().plan.values_per_path, 3U);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(rgb->picture()->xyz[c] / spectral[c], 1, 1e-3);
+}
+
+TEST(Render, NamesTheQuadraturesOwnError) {
+    const auto scene = still_life(green_glass()).build();
+    RenderSettings coarse = small(4, 4);
+    coarse.wavelength_step_nm = 40;
+    const double fine_error =
+        *test::render(scene, small(4, 4), 1)->report().bias.wavelength_relative;
+    const double coarse_error = *test::render(scene, coarse, 1)->report().bias.wavelength_relative;
+    EXPECT_LT(fine_error, 1e-3);
+    EXPECT_GT(coarse_error, fine_error);
+    RenderSettings rgb = small(4, 4);
+    rgb.integrator = IntegratorType::Rgb;
+    EXPECT_FALSE(test::render(scene, rgb, 1)->report().bias.wavelength_relative);
+}
+
+TEST(PassPlan, CoversEveryPixelOnce) {
+    std::set<std::pair<int, int>> pixels;
+    for (const Unit& u : units_of_pass({3, 5, 100, 47}, 0, 0, 64)) {
+        for (int y = u.y; y < u.y + u.height; ++y) {
+            for (int x = u.x; x < u.x + u.width; ++x) EXPECT_TRUE(pixels.emplace(x, y).second);
+        }
+    }
+    EXPECT_EQ(pixels.size(), 4700U);
+    EXPECT_EQ(*pixels.begin(), std::pair(3, 5));
+    EXPECT_EQ(*pixels.rbegin(), std::pair(102, 51));
+}
+
+TEST(PassPlan, DoublesSamplesUpToALimit) {
+    std::vector<std::uint32_t> passes;
+    for (std::uint32_t done = 0; done < 256; done += passes.back())
+        passes.push_back(pass_samples(done));
+    EXPECT_EQ(passes, (std::vector<std::uint32_t>{1, 1, 2, 4, 8, 16, 32, 64, 64, 64}));
+}
+
+}  // namespace
+}  // namespace bouguer::renderer
