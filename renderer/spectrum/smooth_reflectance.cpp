@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/spectrum/colour.h"
+#include "renderer/spectrum/colour_difference.h"
 #include "renderer/spectrum/display.h"
 #include "renderer/spectrum/quadrature.h"
 #include "renderer/spectrum/spectra.h"
@@ -50,16 +51,6 @@ const std::vector<RgbNode>& rgb_nodes() {
     return nodes;
 }
 
-/// f of CIE L*a*b* and its derivative [CIE 15:2018, 8.2.1].
-double lab_f(double r) {
-    constexpr double kLinearBelow = 216.0 / 24389;
-    return r > kLinearBelow ? std::cbrt(r) : r * (24389.0 / 27) / 116 + 16.0 / 116;
-}
-double lab_f_derivative(double r) {
-    constexpr double kLinearBelow = 216.0 / 24389;
-    return r > kLinearBelow ? 1 / (3 * std::cbrt(r * r)) : (24389.0 / 27) / 116;
-}
-
 /// X/Xn, Y/Yn, Z/Zn of linear Rec.709 with white (1, 1, 1).
 Matrix3 relative_xyz_matrix() {
     Matrix3 m = rec709_to_xyz();
@@ -72,12 +63,11 @@ Matrix3 relative_xyz_matrix() {
 
 constexpr Matrix3 kLabFromF{{{0, 116, 0}, {500, -500, 0}, {0, 200, -200}}};
 
+/// L*a*b* of linear Rec.709, whose white is (1, 1, 1).
 Triple lab_of(const Triple& linear_rgb) {
-    Triple f = relative_xyz_matrix() * linear_rgb;
-    for (double& v : f) v = lab_f(v);
-    Triple lab = kLabFromF * f;
-    lab[0] -= 16;
-    return lab;
+    const auto [x, y, z] = relative_xyz_matrix() * linear_rgb;
+    const Lab lab = renderer::lab_of(Xyz{x, y, z}, Xyz{1, 1, 1});
+    return {lab.L, lab.a, lab.b};
 }
 
 /// Colour of the reflectance with coefficients c, and its derivatives by them.
