@@ -16,10 +16,12 @@ struct MeshLimits {
     std::size_t max_triangles = 50'000'000;
 };
 
-/// PLY (ascii, binary little and big endian: x y z, nx ny nz, u v / s t, face lists; polygons are
-/// cut into fans) or OBJ (v, vt, vn, f; groups and materials are ignored), told apart by the first
-/// bytes. Error{InvalidInput} names the line or element: not a mesh, cut short, index out of range,
-/// not finite, over `limits`. Triangles of zero area are left out and counted. Thread-safe.
+/// PLY (ascii, binary little and big endian: x y z, nx ny nz, u v or s t, face lists; polygons are
+/// cut into fans) or OBJ (v, vt, vn, f; groups and materials are ignored; normals and texture
+/// coordinates count only when every corner has them), told apart by the first bytes.
+/// Error{InvalidInput} names the line or element: not a mesh, cut short, index out of range, not
+/// finite, over `limits`. Nothing is allocated on the word of a header: memory stays within some
+/// tens of times the size of `bytes`. Triangles of zero area are left out and counted. Thread-safe.
 [[nodiscard]] Result<std::shared_ptr<const TriangleMesh>> read_mesh(std::string_view bytes,
                                                                     const MeshLimits& limits = {});
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/geometry/mesh_file.h"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <string>
+#include <utility>
+
+#include "renderer/geometry/mesh_readers.h"
+#include "renderer/geometry/mesh_text.h"
+
+namespace bouguer::renderer {
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+/// Whether a triangle has corners that differ and an area above the rounding of its edges.
+bool has_area(const TriangleMesh& mesh, const Corners& corners) {
+    Vec3 ab = mesh.positions[corners[1]] - mesh.positions[corners[0]];
+    Vec3 ac = mesh.positions[corners[2]] - mesh.positions[corners[0]];
+    const Real size = std::max(max_abs(ab), max_abs(ac));
+    ab = ab / size;
+    ac = ac / size;
+    return length(cross(ab, ac)) > 1e-14 * length(ab) * length(ac);
+}
+
+std::string numbered(const char* what, std::size_t i) {
+    return std::string(what) + " " + std::to_string(i);
+}
+
+Result<void> check_sizes(const TriangleMesh& mesh, const MeshLimits& limits) {
+    const std::size_t n = mesh.positions.size();
+    if (n > limits.max_vertices || n > std::numeric_limits<std::uint32_t>::max()) {
+        return refuse_mesh("", "more vertices than allowed");
+    }
+    if (mesh.triangles.size() > limits.max_triangles) {
+        return refuse_mesh("", "more triangles than allowed");
+    }
+    if (!mesh.normals.empty() && mesh.normals.size() != n) {
+        return refuse_mesh("", "the number of normals is not that of positions");
+    }
+    if (!mesh.uvs.empty() && mesh.uvs.size() != n) {
+        return refuse_mesh("", "the number of texture coordinates is not that of positions");
+    }
+    return {};
+}
+
+Result<void> check_values(const TriangleMesh& mesh) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        if (!is_finite(mesh.positions[i])) return refuse_mesh(numbered("vertex", i), "not finite");
+    }
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        if (!is_finite(mesh.normals[i])) return refuse_mesh(numbered("normal", i), "not finite");
+    }
+    for (std::size_t i = 0; i < mesh.uvs.size(); ++i) {
+        if (!std::isfinite(mesh.uvs[i].x) || !std::isfinite(mesh.uvs[i].y)) {
+            return refuse_mesh(numbered("texture coordinate", i), "not finite");
+        }
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (const std::uint32_t corner : mesh.triangles[i]) {
+            if (corner >= mesh.positions.size()) {
+                return refuse_mesh(numbered("triangle", i),
+                                   "no such vertex: " + std::to_string(corner));
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const TriangleMesh>> checked_mesh(TriangleMesh mesh,
+                                                         const MeshLimits& limits) {
+    auto checked = check_sizes(mesh, limits);
+    if (checked) checked = check_values(mesh);
+    if (!checked) return tl::unexpected<Error>(std::move(checked.error()));
+    const auto kept = std::remove_if(mesh.triangles.begin(), mesh.triangles.end(),
+                                     [&](const Corners& c) { return !has_area(mesh, c); });
+    mesh.dropped_triangles += static_cast<std::uint64_t>(mesh.triangles.end() - kept);
+    mesh.triangles.erase(kept, mesh.triangles.end());
+    if (mesh.triangles.empty()) return refuse_mesh("", "no triangle that has an area");
+    return std::make_shared<const TriangleMesh>(std::move(mesh));
+}
+
+Result<std::shared_ptr<const TriangleMesh>> read_mesh(std::string_view bytes,
+                                                      const MeshLimits& limits) {
+    try {
+        const bool is_ply = bytes.substr(0, 3) == "ply" && bytes.size() > 3 && is_space(bytes[3]);
+        auto mesh = is_ply ? read_ply(bytes, limits) : read_obj(bytes, limits);
+        if (!mesh) return tl::unexpected<Error>(std::move(mesh.error()));
+        return checked_mesh(std::move(*mesh), limits);
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorKind::Internal, "out of memory while reading a mesh", "memory");
+    }
+}
+
+}  // namespace bouguer::renderer

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// libFuzzer entry for the mesh readers: whatever the bytes, a mesh that keeps its promises or an
+// error.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "renderer/geometry/mesh_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace bouguer::renderer;
+    const MeshLimits limits{10'000, 10'000};
+    const auto mesh = read_mesh({reinterpret_cast<const char*>(data), size}, limits);
+    if (!mesh) return 0;
+    const TriangleMesh& m = **mesh;
+    const std::size_t n = m.positions.size();
+    bool good = n <= limits.max_vertices && m.triangles.size() <= limits.max_triangles &&
+                !m.triangles.empty() && (m.normals.empty() || m.normals.size() == n) &&
+                (m.uvs.empty() || m.uvs.size() == n);
+    for (const Vec3& p : m.positions) good = good && is_finite(p);
+    for (const auto& corners : m.triangles) {
+        for (const std::uint32_t c : corners) good = good && c < n;
+    }
+    if (!good) std::abort();
+    return 0;
+}

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/geometry/mesh_file.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <string>
+
+namespace bouguer::renderer {
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+using Mesh = std::shared_ptr<const TriangleMesh>;
+
+const std::string kAsciiHead =
+    "ply\nformat ascii 1.0\ncomment a square\nelement vertex 4\nproperty float x\n"
+    "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+    "end_header\n";
+const std::string kSquare = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+
+Mesh read(const std::string& bytes) {
+    auto mesh = read_mesh(bytes);
+    EXPECT_TRUE(mesh) << mesh.error().message;
+    return mesh.value_or(std::make_shared<const TriangleMesh>());
+}
+
+void expect_square(const TriangleMesh& mesh) {
+    const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    EXPECT_EQ(mesh.positions, corners);
+    const std::vector<Corners> fan{{0, 1, 2}, {0, 2, 3}};
+    EXPECT_EQ(mesh.triangles, fan);
+}
+
+TEST(MeshFile, CutsPlyPolygonsIntoFans) {
+    const Mesh mesh = read(kAsciiHead + kSquare + "4 0 1 2 3\n");
+    expect_square(*mesh);
+    EXPECT_TRUE(mesh->normals.empty());
+    EXPECT_TRUE(mesh->uvs.empty());
+    EXPECT_EQ(mesh->dropped_triangles, 0U);
+}
+
+TEST(MeshFile, ReadsPlyWithOtherLineEnds) {
+    std::string dos;
+    for (const char c : kAsciiHead + kSquare + "4 0 1 2 3") {
+        if (c == '\n') dos += '\r';
+        dos += c;
+    }
+    expect_square(*read(dos));
+}
+
+template <class T>
+void append(std::string& bytes, T value, bool swap) {
+    std::array<char, sizeof(T)> raw{};
+    std::memcpy(raw.data(), &value, sizeof(T));
+    if (swap) std::reverse(raw.begin(), raw.end());
+    bytes.append(raw.data(), raw.size());
+}
+
+/// The square with normals, texture coordinates, an unknown property and an unknown element, in
+/// either order of bytes.
+std::string binary_square(bool big_endian) {
+    std::string bytes = std::string("ply\nformat binary_") + (big_endian ? "big" : "little") +
+                        "_endian 1.0\nelement material 1\nproperty list ushort double values\n"
+                        "element vertex 4\nproperty double x\nproperty float nx\n"
+                        "property float ny\nproperty float nz\nproperty double y\n"
+                        "property short quality\nproperty float z\nproperty float s\n"
+                        "property float t\nelement face 2\nproperty uchar flags\n"
+                        "property list uint ushort vertex_index\nend_header\n";
+    append<std::uint16_t>(bytes, 2, big_endian);
+    append<double>(bytes, 0.5, big_endian);
+    append<double>(bytes, 0.25, big_endian);
+    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+        append<double>(bytes, x, big_endian);
+        append<float>(bytes, 0, big_endian);
+        append<float>(bytes, 0, big_endian);
+        append<float>(bytes, 1, big_endian);
+        append<double>(bytes, y, big_endian);
+        append<std::int16_t>(bytes, -300, big_endian);
+        append<float>(bytes, 0, big_endian);
+        append<float>(bytes, static_cast<float>(x) / 2, big_endian);
+        append<float>(bytes, static_cast<float>(y) / 4, big_endian);
+    }
+    for (const Corners& corners : {Corners{0, 1, 2}, Corners{0, 2, 3}}) {
+        append<std::uint8_t>(bytes, 7, big_endian);
+        append<std::uint32_t>(bytes, 3, big_endian);
+        for (const std::uint32_t c : corners) {
+            append<std::uint16_t>(bytes, static_cast<std::uint16_t>(c), big_endian);
+        }
+    }
+    return bytes;
+}
+
+TEST(MeshFile, ReadsBinaryPlyOfEitherByteOrder) {
+    for (const bool big_endian : {false, true}) {
+        const Mesh mesh = read(binary_square(big_endian));
+        expect_square(*mesh);
+        ASSERT_EQ(mesh->normals.size(), 4U);
+        EXPECT_EQ(mesh->normals[3], (Vec3{0, 0, 1}));
+        ASSERT_EQ(mesh->uvs.size(), 4U);
+        EXPECT_EQ(mesh->uvs[2], (Vec2{0.5, 0.25}));
+    }
+}
+
+TEST(MeshFile, RefusesBinaryPlyCutAnywhere) {
+    const std::string whole = binary_square(false);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_FALSE(read_mesh(std::string_view(whole).substr(0, size))) << size;
+    }
+}
+
+TEST(MeshFile, ReadsObj) {
+    const Mesh mesh = read(
+        "# a square\nmtllib a.mtl\no square\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\n"
+        "v 0 1 0 # last\nusemtl red\ns off\nf 1 2 3 4\n");
+    expect_square(*mesh);
+}
+
+TEST(MeshFile, CountsNegativeObjIndicesFromTheNewest) {
+    expect_square(*read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\nv 9 9 9\n"));
+}
+
+// Two faces that share an edge but not its texture coordinates: 6 vertices, not 4.
+TEST(MeshFile, SplitsObjVerticesWhereTextureCoordinatesDiffer) {
+    const Mesh mesh = read(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.5 0.25\nvn 0 0 1\n"
+        "f 1/1/1 2/1/1 3/1/1\nf 1/2/1 3/2/1 4/2/1\n");
+    ASSERT_EQ(mesh->positions.size(), 6U);
+    ASSERT_EQ(mesh->uvs.size(), 6U);
+    ASSERT_EQ(mesh->normals.size(), 6U);
+    EXPECT_EQ(mesh->uvs[mesh->triangles[1][0]], (Vec2{0.5, 0.25}));
+    EXPECT_EQ(mesh->positions[mesh->triangles[1][2]], (Vec3{0, 1, 0}));
+}
+
+TEST(MeshFile, LeavesOutObjNormalsThatSomeCornersLack) {
+    const Mesh mesh =
+        read("v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3\nf 1//1 2//1 3//1\n");
+    EXPECT_TRUE(mesh->normals.empty());
+    EXPECT_EQ(mesh->positions.size(), 3U);
+}
+
+// Equal corners; corners on a line; a triangle of height 1e-9, which has an area.
+TEST(MeshFile, DropsTrianglesWithoutAreaAndCountsThem) {
+    const Mesh mesh =
+        read("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1e-9 0\nf 1 1 2\nf 1 2 3\nf 1 2 4\nf 1 2 4 1\n");
+    EXPECT_EQ(mesh->triangles.size(), 2U);
+    EXPECT_EQ(mesh->dropped_triangles, 3U);
+}
+
+TEST(MeshFile, KeepsTheSmallestAndTheLargestSizes) {
+    for (const std::string size : {"1e-100", "1e100"}) {
+        const Mesh mesh = read("v 0 0 0\nv " + size + " 0 0\nv 0 " + size + " 0\nf 1 2 3\n");
+        EXPECT_EQ(mesh->triangles.size(), 1U);
+    }
+}
+
+struct Malformed {
+    std::string name, bytes, says;
+};
+
+std::string ply(const std::string& header, const std::string& body = {}) {
+    return "ply\n" + header + "end_header\n" + body;
+}
+
+const std::string kVertex =
+    "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string kFace = "element face 1\nproperty list uchar int vertex_indices\n";
+const std::string kAscii = "format ascii 1.0\n";
+const std::string kBinary = "format binary_little_endian 1.0\n";
+const std::string kCorner = "0 0 0\n1 0 0\n0 1 0\n";
+const std::string kObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+std::vector<Malformed> malformed_files() {
+    return {
+        {"nothing", "", "not a PLY file"},
+        {"only the magic", "ply", "line 1"},
+        {"prose", "a mesh, they said", "line 1"},
+        {"binary rubbish",
+         std::string("\x7f"
+                     "ELF\0\1\2",
+                     7),
+         "line 1"},
+        {"no end of the header", "ply\nformat ascii 1.0\n", "line 3: the header does not end"},
+        {"no format", ply(kVertex + kFace, kCorner + "3 0 1 2"), "no format"},
+        {"unknown format", ply("format ascii2 1.0\n"), "line 2: unknown format"},
+        {"unknown version", ply("format ascii 2.0\n"), "line 2: unknown version"},
+        {"two formats", ply(kAscii + kBinary), "line 3"},
+        {"words after the format", ply("format ascii 1.0 or so\n"), "line 2"},
+        {"unknown keyword", ply(kAscii + "elephant vertex 3\n"), "line 3"},
+        {"count that is none", ply(kAscii + "element vertex many\n"), "line 3"},
+        {"negative count", ply(kAscii + "element vertex -3\n"), "line 3"},
+        {"count over 64 bits", ply(kAscii + "element vertex 99999999999999999999\n"), "line 3"},
+        {"element twice", ply(kAscii + kVertex + kVertex), "line 7"},
+        {"property before elements", ply(kAscii + "property float x\n"), "line 3"},
+        {"property twice", ply(kAscii + kVertex + "property float x\n"), "line 7"},
+        {"property without name", ply(kAscii + "element vertex 3\nproperty float\n"), "line 4"},
+        {"unknown type", ply(kAscii + "element vertex 3\nproperty real x\n"), "line 4"},
+        {"list with a float length",
+         ply(kAscii + "element face 1\nproperty list float int vertex_indices\n"), "line 4"},
+        {"element without properties", ply(kAscii + "element vertex 4000000000\n"),
+         "has no properties"},
+        {"no x",
+         ply(kAscii + "element vertex 1\nproperty float y\nproperty float z\n" + kFace,
+             "0 0 3 0 0 0"),
+         "x, y or z"},
+        {"x is a list",
+         ply(kAscii +
+                 "element vertex 1\nproperty list uchar float x\nproperty float y\n"
+                 "property float z\n" +
+                 kFace,
+             "1 0 0 0 3 0 0 0"),
+         "x, y or z"},
+        {"no vertices", ply(kAscii + kFace, "3 0 1 2"), "no vertices"},
+        {"no faces", ply(kAscii + kVertex, kCorner), "no faces"},
+        {"float indices",
+         ply(kAscii + kVertex + "element face 1\nproperty list uchar float vertex_indices\n",
+             kCorner + "3 0 1 2"),
+         "no faces"},
+        {"4e9 vertices announced, ascii",
+         ply(kAscii + "element vertex 4000000000\nproperty float x\n" + kFace, kCorner),
+         "cut short"},
+        {"4e9 vertices announced, binary",
+         ply(kBinary + "element vertex 4000000000\nproperty float x\n" + kFace, kCorner),
+         "cut short"},
+        {"2^64-1 faces announced",
+         ply(kAscii + kVertex +
+                 "element face 18446744073709551615\n"
+                 "property list uchar int vertex_indices\n",
+             kCorner),
+         "cut short"},
+        {"vertex cut short", ply(kAscii + kVertex + kFace, "0 0 0 1 0 0 0 1"), "vertex"},
+        {"vertex is a word", ply(kAscii + kVertex + kFace, "0 0 0\n1 0 zero\n0 1 0\n3 0 1 2"),
+         "line 11, vertex 1: not a value"},
+        {"vertex is nan", ply(kAscii + kVertex + kFace, "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2"),
+         "vertex 1: not finite"},
+        {"vertex beyond double", ply(kAscii + kVertex + kFace, "0 0 1e999\n1 0 0\n0 1 0\n3 0 1 2"),
+         "vertex 0"},
+        {"face cut short", ply(kAscii + kVertex + kFace, kCorner + "3 0 1"), "face 0"},
+        {"face of two corners", ply(kAscii + kVertex + kFace, kCorner + "2 0 1"),
+         "a face needs three corners"},
+        {"face of minus three corners", ply(kAscii + kVertex + kFace, kCorner + "-3 0 1 2"),
+         "face 0"},
+        {"fractional index", ply(kAscii + kVertex + kFace, kCorner + "3 0 1 1.5"), "face 0"},
+        {"index too large", ply(kAscii + kVertex + kFace, kCorner + "3 0 1 3"),
+         "line 13, face 0: no such vertex"},
+        {"negative index", ply(kAscii + kVertex + kFace, kCorner + "3 0 1 -1"), "no such vertex"},
+        {"more than announced", ply(kAscii + kVertex + kFace, kCorner + "3 0 1 2\n3 0 1 2"),
+         "more follows"},
+        {"list without end",
+         ply(kBinary + kVertex + "element face 1\nproperty list uint int vertex_indices\n",
+             std::string(36, '\0') + "\xff\xff\xff\x7f" + std::string(12, '\0')),
+         "face 0"},
+        {"all triangles without area", ply(kAscii + kVertex + kFace, kCorner + "3 0 1 1"),
+         "no triangle that has an area"},
+        {"obj without faces", kObj, "faces"},
+        {"obj face before its vertices", "f 1 2 3\n" + kObj, "line 1"},
+        {"obj index 0", kObj + "f 0 1 2\n", "line 4: no such corner"},
+        {"obj index too large", kObj + "f 1 2 4\n", "line 4: no such corner"},
+        {"obj negative index too large", kObj + "f 1 2 -4\n", "line 4"},
+        {"obj index over 64 bits", kObj + "f 1 2 99999999999999999999\n", "line 4"},
+        {"obj unknown texture coordinate", kObj + "f 1/1 2/1 3/1\n", "line 4"},
+        {"obj unknown normal", kObj + "f 1//1 2//1 3//1\n", "line 4"},
+        {"obj empty normal", kObj + "vn 0 0 1\nf 1// 2// 3//\n", "line 5"},
+        {"obj four indices", kObj + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2/1/1 3/1/1\n", "line 6"},
+        {"obj empty index", kObj + "f /1 2 3\n", "line 4"},
+        {"obj fractional index", kObj + "f 1 2 2.5\n", "line 4"},
+        {"obj two corners", kObj + "f 1 2\n", "line 4: a face needs three corners"},
+        {"obj two coordinates", "v 0 0\n", "line 1: wrong count of numbers"},
+        {"obj eight coordinates", "v 0 0 0 0 0 0 0 0\n", "line 1"},
+        {"obj vertex is a word", "v 0 0 x\n", "line 1: not a number: \"x\""},
+        {"obj vertex is infinite", "v 0 0 inf\n", "line 1: not finite"},
+        {"obj free-form surface", kObj + "cstype bezier\n", "line 4: unknown statement"},
+        {"obj continued line", kObj + "f 1 2 \\\n3\n", "line 4"},
+        {"obj without area", kObj + "f 1 1 1\n", "no triangle"},
+    };
+}
+
+TEST(MeshFile, RefusesMalformedFilesAndSaysWhere) {
+    for (const Malformed& file : malformed_files()) {
+        const auto mesh = read_mesh(file.bytes);
+        ASSERT_FALSE(mesh) << file.name;
+        EXPECT_EQ(mesh.error().kind, ErrorKind::InvalidInput) << file.name;
+        EXPECT_NE(mesh.error().message.find(file.says), std::string::npos)
+            << file.name << " says: " << mesh.error().message;
+    }
+}
+
+TEST(MeshFile, HoldsItsLimits) {
+    const std::string bytes = kAsciiHead + kSquare + "4 0 1 2 3\n";
+    EXPECT_TRUE(read_mesh(bytes, {4, 2}));
+    EXPECT_FALSE(read_mesh(bytes, {3, 2}));
+    EXPECT_FALSE(read_mesh(bytes, {4, 1}));
+    const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    EXPECT_TRUE(read_mesh(obj, {4, 2}));
+    EXPECT_FALSE(read_mesh(obj, {3, 2}));
+    EXPECT_FALSE(read_mesh(obj, {4, 1}));
+}
+
+TEST(CheckedMesh, AcceptsAndRefusesByTheSameRules) {
+    TriangleMesh good;
+    good.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    good.triangles = {{0, 1, 2}, {0, 0, 1}};
+    const auto checked = checked_mesh(good);
+    ASSERT_TRUE(checked);
+    EXPECT_EQ((*checked)->triangles.size(), 1U);
+    EXPECT_EQ((*checked)->dropped_triangles, 1U);
+    const auto refused = [](const TriangleMesh& mesh) { return !checked_mesh(mesh); };
+    EXPECT_TRUE(refused({}));
+    auto bad = good;
+    bad.triangles.push_back({0, 1, 3});
+    EXPECT_TRUE(refused(bad));
+    bad = good;
+    bad.positions[2].y = std::numeric_limits<Real>::infinity();
+    EXPECT_TRUE(refused(bad));
+    bad = good;
+    bad.normals.resize(2);
+    EXPECT_TRUE(refused(bad));
+    bad = good;
+    bad.uvs = {{0, 0}, {0, std::nan("")}, {0, 0}};
+    EXPECT_TRUE(refused(bad));
+    EXPECT_FALSE(checked_mesh(good, {2, 10}));
+    EXPECT_FALSE(checked_mesh(good, {3, 1}));
+}
+
+}  // namespace
+}  // namespace bouguer::renderer
