@@ -101,7 +101,7 @@ def still_life(name, absorbs, ambient):
     glasses = ["amber", "ruby", "emerald", "cobalt"]
     scene = {
         "format": "bouguer-scene/1", "name": name, "units": "cm",
-        "camera": {"type": "perspective", "from": [0.5, 9.5, 25], "at": [0, 2.4, 0], "up": [0, 1, 0], "fov_deg": 31,
+        "camera": {"type": "perspective", "from": [0.5, 13, 23], "at": [0, 1.6, 0.3], "up": [0, 1, 0], "fov_deg": 31,
                    "resolution": [640, 480]},
         "spectra": spectra(*glasses),
         "materials": {**{g: glass(g, absorbs) for g in glasses},
@@ -123,8 +123,8 @@ def still_life(name, absorbs, ambient):
             thing("plaster ball", {"type": "sphere", "center": [6.9, 1.6, 0.2], "radius": 1.6}, "plaster"),
             thing("small plaster ball", {"type": "sphere", "center": [-7.4, 1.1, 2.6], "radius": 1.1}, "plaster"),
         ],
-        "lights": [lamp([6, 17, 3.5], 1.0), lamp([-7, 13, 13], 0.25)],
-        "environment": sky(1.5),
+        "lights": [lamp([9, 13, 2], 1.0), lamp([-7, 13, 13], 0.25)],
+        "environment": sky(2),
     }
     if ambient:
         scene["ambient"] = {"k_a": 0.3, "weights": "hemisphere"}
