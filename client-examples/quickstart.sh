@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # From a fresh clone to a picture, on Debian 12 or 13, as root or with sudo: installs what is missing, builds, starts
 # the daemon on a free port, renders the seed paper's figure 4(d) over HTTP and stops the daemon again. A second run
-# neither installs nor builds. BOUGUER_SAMPLES (default 64) samples a pixel.
+# neither installs nor builds. Environment: BOUGUER_SAMPLES a pixel (64), BOUGUER_OUT, the folder for what comes of it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-out=quickstart-out
+out=${BOUGUER_OUT:-quickstart-out}
 scene=client-examples/scenes/lee/figure-4d.json
 export BOUGUER_SAMPLES=${BOUGUER_SAMPLES:-64}
 
@@ -19,7 +19,7 @@ bouguer=build/release/server/bouguer
 
 echo "3/4 Daemon"
 mkdir -p "$out"
-data=$(mktemp -d "$PWD/$out/data.XXXXXX")
+data=$(mktemp -d "$out/data.XXXXXX")
 daemon=
 stop_daemon() {
     if [ -n "$daemon" ]; then

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes lee/figure-4a.json to figure-4f.json: the figures of the seed paper [Lee et al.] as scenes of ours.
+"""Writes figure-4a.json to figure-4f.json into a folder (default: lee/ beside this file): the figures of the seed
+paper [Lee et al.] as scenes of ours.
 
 4(a) to 4(d) are one scene; what differs is the shading model, so one function makes them:
 
@@ -14,6 +15,7 @@ The numbers of the paper's Table 1 stand in glass() and lamp(). Standard library
 import json
 import math
 import pathlib
+import sys
 
 WAVELENGTHS_NM = [400, 430, 460, 490, 520, 550, 580, 610, 640, 670, 700]
 # Spectral transmittances of coloured glasses, smooth as measured filters are.
@@ -201,7 +203,7 @@ def pretty(value, indent=0, width=110):
 
 
 def main():
-    folder = pathlib.Path(__file__).parent / "lee"
+    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).parent / "lee"
     figures = {
         "4a": still_life("Lee et al., figure 4(a): by RGB triples", False, False),
         "4b": still_life("Lee et al., figure 4(b): by spectra", False, False),

@@ -4,4 +4,4 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 mapfile -t scripts < <(grep -rlE '^#!.*\b(ba)?sh$' --include='*.sh' client-examples tests)
-shellcheck .ci/run "${scripts[@]}"
+shellcheck -x .ci/run "${scripts[@]}"

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# submit.sh and submit.py render a scene over HTTP to equal pictures, and fail on a document that is refused.
+set -euo pipefail
+cd "$(dirname "$0")"
+bouguer=$1 examples=../../client-examples
+# shellcheck source=tests/examples/daemon.sh
+source daemon.sh
+start_daemon "$bouguer"
+
+BOUGUER_URL=$url BOUGUER_SAMPLES=4 "$examples/submit.sh" "$examples/scenes/grey-card.json" "$work/shell"
+"$examples/submit.py" --url "$url" --samples 4 --out "$work/python" "$examples/scenes/grey-card.json"
+expect_png "$work/shell.png"
+expect_exr "$work/shell.exr"
+cmp "$work/shell.png" "$work/python.png"
+cmp "$work/shell.exr" "$work/python.exr"
+grep -q relative_rmse "$work/python.report.json"
+
+printf '{"format":"bouguer-scene/1","camera":{"type":"perspective","fov_deg":400}}' >"$work/bad.json"
+if BOUGUER_URL=$url "$examples/submit.sh" "$work/bad.json" "$work/bad" 2>"$work/refusal"; then
+    echo "submit.sh took a refusal for a success" >&2
+    exit 1
+fi
+grep -q 'fov_deg' "$work/refusal"
+if "$examples/submit.py" --url "$url" --out "$work/bad" "$work/bad.json" 2>"$work/refusal"; then
+    echo "submit.py took a refusal for a success" >&2
+    exit 1
+fi
+grep -q 'fov_deg' "$work/refusal"
