@@ -125,11 +125,11 @@ def still_life(name, absorbs, ambient):
             thing("plaster ball", {"type": "sphere", "center": [6.9, 1.6, 0.2], "radius": 1.6}, "plaster"),
             thing("small plaster ball", {"type": "sphere", "center": [-7.4, 1.1, 2.6], "radius": 1.1}, "plaster"),
         ],
-        "lights": [lamp([9, 13, 2], 1.0), lamp([-7, 13, 13], 0.25)],
+        "lights": [lamp([9, 13.5, 3.5], 1.0), lamp([-7, 12, 11], 0.25)],
         "environment": sky(2),
     }
     if ambient:
-        scene["ambient"] = {"k_a": 0.3, "weights": "hemisphere"}
+        scene["ambient"] = {"k_a": 0.08, "weights": "hemisphere"}
     return scene
 
 
@@ -153,7 +153,7 @@ def meshes_e():
         ],
         "lights": [lamp([7, 15, 6], 1.0), lamp([-8, 10, 10], 0.3)],
         "environment": sky(1.5),
-        "ambient": {"k_a": 0.3, "weights": "hemisphere"},
+        "ambient": {"k_a": 0.08, "weights": "hemisphere"},
     }
 
 
@@ -181,7 +181,7 @@ def meshes_f():
         ],
         "lights": [lamp([-8, 16, 6], 1.0), lamp([10, 9, 10], 0.25)],
         "environment": sky(1.5),
-        "ambient": {"k_a": 0.3, "weights": "hemisphere"},
+        "ambient": {"k_a": 0.08, "weights": "hemisphere"},
     }
 
 
