@@ -24,7 +24,7 @@ TRANSMITTANCES = {
     "ruby": [0.42, 0.36, 0.26, 0.17, 0.13, 0.15, 0.34, 0.76, 0.93, 0.96, 0.97],
     "emerald": [0.22, 0.32, 0.52, 0.78, 0.91, 0.88, 0.66, 0.38, 0.24, 0.22, 0.28],
     "cobalt": [0.93, 0.95, 0.93, 0.80, 0.56, 0.34, 0.22, 0.20, 0.26, 0.40, 0.55],
-    "aqua": [0.74, 0.84, 0.92, 0.95, 0.94, 0.88, 0.74, 0.56, 0.46, 0.42, 0.42],
+    "aqua": [0.60, 0.74, 0.88, 0.95, 0.93, 0.80, 0.54, 0.32, 0.24, 0.22, 0.24],
     "violet": [0.90, 0.88, 0.78, 0.60, 0.42, 0.36, 0.44, 0.64, 0.82, 0.90, 0.93],
 }
 
@@ -142,16 +142,16 @@ def meshes_e():
                    "resolution": [640, 480]},
         "spectra": spectra(*glasses),
         "materials": {**{g: glass(g, True) for g in glasses},
-                      "ground": matt(0.80, 0.76, 0.70), "backdrop": matt(0.55, 0.66, 0.78), "bars": matt(0.93, 0.92, 0.90)},
+                      "ground": matt(0.70, 0.60, 0.50), "backdrop": matt(0.50, 0.60, 0.72), "bars": matt(0.93, 0.92, 0.90)},
         "objects": [
             thing("ground", {"type": "file", "path": "cloth.obj"}, "ground"),
             thing("backdrop", quad([-14, -1, -8], [14, -1, -8], [14, 15, -8], [-14, 15, -8]), "backdrop"),
             thing("lattice", {"type": "file", "path": "lattice.ply"}, "bars", move(0, 0, -7.2)),
-            thing("knot", {"type": "file", "path": "torus-knot.ply"}, "aqua", turn(68, (1, 0, 0)), turn(15), move(-2.6, 4.1, 0)),
-            thing("goblet", {"type": "file", "path": "goblet.ply"}, "amber", move(3.4, 0.4, -0.6)),
-            thing("ruby ball", {"type": "sphere", "center": [1.2, 1.6, 3.8], "radius": 1.2}, "ruby"),
+            thing("knot", {"type": "file", "path": "torus-knot.ply"}, "aqua", turn(68, (1, 0, 0)), turn(15), move(-2.6, 4.0, 0)),
+            thing("goblet", {"type": "file", "path": "goblet.ply"}, "amber", move(3.5, 0.45, -0.6)),
+            thing("ruby ball", {"type": "sphere", "center": [1.3, 1.5, 3.8], "radius": 1.2}, "ruby"),
         ],
-        "lights": [lamp([7, 15, 6], 1.0), lamp([-8, 10, 10], 0.3)],
+        "lights": [lamp([8, 10, 2], 1.0), lamp([-8, 12, 12], 0.4)],
         "environment": sky(1.5),
         "ambient": {"k_a": 0.08, "weights": "hemisphere"},
     }
@@ -166,7 +166,7 @@ def meshes_f():
                    "resolution": [640, 480]},
         "spectra": spectra(*glasses),
         "materials": {**{g: glass(g, True) for g in glasses},
-                      "light tile": matt(0.90, 0.88, 0.84), "dark tile": matt(0.58, 0.36, 0.28),
+                      "light tile": matt(0.80, 0.76, 0.70), "dark tile": matt(0.50, 0.28, 0.20),
                       "backdrop": matt(0.86, 0.80, 0.66), "bars": matt(0.35, 0.33, 0.32)},
         "objects": [
             thing("light tiles", tiles(0, 1.5, (-15, -9), (15, 15)), "light tile"),
@@ -179,7 +179,7 @@ def meshes_f():
             thing("topaz", {"type": "file", "path": "gem.obj"}, "amber", {"scale": 0.6}, turn(-45.7, (0, 0, 1)), turn(130),
                   move(-0.6, 0.93, 4.6)),
         ],
-        "lights": [lamp([-8, 16, 6], 1.0), lamp([10, 9, 10], 0.25)],
+        "lights": [lamp([-10, 17, 1], 1.0), lamp([10, 10, 12], 0.3)],
         "environment": sky(1.5),
         "ambient": {"k_a": 0.08, "weights": "hemisphere"},
     }

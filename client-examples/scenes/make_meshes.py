@@ -141,7 +141,7 @@ def cloth(size=26.0, cells=72):
     for i in range(cells + 1):
         for j in range(cells + 1):
             x, z = size * (j / cells - 0.5), size * (i / cells - 0.5)
-            positions.append((x, 0.35 * math.sin(0.9 * x + 0.4 * math.sin(0.7 * z)) * math.cos(0.6 * z), z))
+            positions.append((x, 0.4 * math.sin(0.9 * x + 0.8 * math.sin(0.5 * z)), z))
     triangles = grid_triangles(cells + 1, cells + 1)
     return positions, smooth_normals(positions, triangles), triangles
 
