@@ -8,6 +8,8 @@
 #include "renderer/cameras/camera.h"
 #include "renderer/film/error_estimate.h"
 #include "renderer/film/film.h"
+#include "renderer/film/image_file.h"
+#include "renderer/geometry/embree_version.h"
 #include "renderer/integrators/integrator_registry.h"
 #include "renderer/pass_plan.h"
 #include "renderer/plan/plan.h"
@@ -206,5 +208,7 @@ Result<std::unique_ptr<Render>> Render::create(std::shared_ptr<const Scene> scen
         return fail(ErrorKind::Internal, "out of memory for the film", "out-of-memory");
     }
 }
+
+std::vector<std::string> library_versions() { return {embree_version(), image_library_version()}; }
 
 }  // namespace bouguer::renderer

@@ -62,6 +62,9 @@ class EmbreeGeometry final : public Geometry {
     [[nodiscard]] std::uint64_t num_triangles() const override { return data_.num_triangles; }
     [[nodiscard]] std::uint64_t memory_bytes() const override;
 
+    /// What queries read; for benchmarks that ask Embree without us.
+    [[nodiscard]] const GeometryData& data() const { return data_; }
+
   private:
     GeometryData data_;
 };

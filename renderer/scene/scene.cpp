@@ -5,7 +5,8 @@
 
 namespace bouguer::renderer {
 
-Result<std::shared_ptr<const Scene>> Scene::build(const SceneDescription& description) {
+Result<std::shared_ptr<const Scene>> Scene::build(const SceneDescription& description,
+                                                  const GeometryWrapper& wrap) {
     std::vector<PlacedShape> shapes;
     shapes.reserve(description.objects.size());
     for (const ObjectDescription& object : description.objects) shapes.push_back(object.placed);
@@ -13,7 +14,7 @@ Result<std::shared_ptr<const Scene>> Scene::build(const SceneDescription& descri
     if (!geometry) return tl::unexpected(geometry.error());
 
     std::shared_ptr<Scene> scene(new Scene);
-    scene->geometry_ = std::move(*geometry);
+    scene->geometry_ = wrap ? wrap(std::move(*geometry)) : std::move(*geometry);
     scene->camera_ = description.camera;
     scene->materials_ = description.materials;
     scene->environment_ = description.environment;

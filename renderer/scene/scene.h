@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -19,8 +20,12 @@ class Scene {
   public:
     /// Error{InvalidInput}: a scene that only the renderer can judge (see Geometry, Camera).
     /// Error{Internal}: memory.
+    /// `wrap`, when given, gets the geometry and may put another around it: a seam for tests and
+    /// benchmarks that record or count rays.
+    using GeometryWrapper =
+        std::function<std::unique_ptr<const Geometry>(std::unique_ptr<const Geometry>)>;
     [[nodiscard]] static Result<std::shared_ptr<const Scene>> build(
-        const SceneDescription& description);
+        const SceneDescription& description, const GeometryWrapper& wrap = {});
 
     [[nodiscard]] const Geometry& geometry() const { return *geometry_; }
     [[nodiscard]] const CameraDescription& camera() const { return camera_; }

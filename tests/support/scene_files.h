@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scenes of client-examples/, read as the service reads them.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "api/job_document.h"
+#include "renderer/geometry/mesh_file.h"
+
+namespace bouguer::test {
+
+inline std::string read_file(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw std::runtime_error("cannot open " + path.string());
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+/// Mesh files of one folder. For tests: names are trusted.
+class FolderAssets final : public api::AssetSource {
+  public:
+    explicit FolderAssets(std::filesystem::path root) : root_(std::move(root)) {}
+    [[nodiscard]] Result<std::shared_ptr<const renderer::TriangleMesh>> mesh(
+        std::string_view name) const override {
+        return renderer::read_mesh(read_file(root_ / name));
+    }
+
+  private:
+    std::filesystem::path root_;
+};
+
+/// A scene or job document as a job; throws with the first problem when it is refused.
+inline api::JobRequest load_job(const std::filesystem::path& path) {
+    auto job = api::parse_job(read_file(path), {}, FolderAssets(path.parent_path()));
+    if (job) return std::move(*job);
+    const auto& problems = job.error().problems;
+    throw std::runtime_error(
+        path.string() + ": " +
+        (problems.empty() ? job.error().message : problems[0].pointer + " " + problems[0].detail));
+}
+
+}  // namespace bouguer::test
