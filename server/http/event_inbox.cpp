@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/http/event_inbox.h"
+
+namespace bouguer::server {
+
+std::string to_event_text(const JobEvent& event) {
+    return "id: " + std::to_string(event.id) + "\nevent: " + event.type + "\ndata: " + event.data +
+           "\n\n";
+}
+
+void EventInbox::push(const JobEvent& event) {
+    std::function<void()> wake;
+    {
+        const std::lock_guard lock(mutex_);
+        if (ended_ || overflow_) return;
+        if (event.type == "progress") {
+            progress_ = to_event_text(event);
+        } else {
+            // what was held back goes first, so that ids grow
+            if (progress_) ready_ += *std::exchange(progress_, std::nullopt);
+            ready_ += to_event_text(event);
+            ended_ = event.type == "done";
+        }
+        overflow_ = ready_.size() > capacity_bytes_;
+        if (!notified_ && wake_) {
+            notified_ = true;
+            wake = wake_;
+        }
+    }
+    if (wake) wake();
+}
+
+void EventInbox::on_push(std::function<void()> wake) {
+    bool now = false;
+    {
+        const std::lock_guard lock(mutex_);
+        wake_ = wake;
+        now = notified_ = !ready_.empty() || progress_ || ended_ || overflow_;
+    }
+    if (now) wake();
+}
+
+std::string EventInbox::take(Clock::time_point now) {
+    const std::lock_guard lock(mutex_);
+    std::string text = std::exchange(ready_, {});
+    if (progress_ && now - last_progress_ >= progress_interval_) {
+        text += *std::exchange(progress_, std::nullopt);
+        last_progress_ = now;
+    }
+    // while a progress event waits the owner looks again by itself
+    notified_ = progress_.has_value();
+    return text;
+}
+
+bool EventInbox::pending() const {
+    const std::lock_guard lock(mutex_);
+    return progress_.has_value();
+}
+bool EventInbox::ended() const {
+    const std::lock_guard lock(mutex_);
+    return ended_;
+}
+bool EventInbox::overflow() const {
+    const std::lock_guard lock(mutex_);
+    return overflow_;
+}
+
+}  // namespace bouguer::server

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the HTTP side may be told: addresses, bounds and deadlines. Plain data.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace bouguer::server {
+
+/// Bounds on what one client, or all together, may make the daemon hold. Each has a test that hits
+/// it.
+struct HttpLimits {
+    std::size_t head_bytes = 16U << 10U;  ///< request line and header fields together; beyond: 431
+    std::size_t header_fields = 100;      ///< beyond: 431
+    std::size_t target_bytes = 2048;      ///< path and query; beyond: 414
+    std::size_t body_bytes = 8U << 20U;   ///< after removal of the chunked coding; beyond: 413
+    std::size_t buffered_bytes = 512U << 20U;  ///< bodies and answers of all clients; beyond: 503
+    std::size_t waiting_requests = 1024;       ///< for a handler thread; beyond: 503
+    std::size_t event_buffer_bytes = 64U << 10U;  ///< unsent events of a client; beyond: dropped
+    int requests_per_connection = 10'000;
+};
+
+/// All are absolute: nothing that a client sends or reads prolongs them.
+struct HttpDeadlines {
+    std::chrono::milliseconds head{5'000};   ///< from the first byte of a request to its last field
+    std::chrono::milliseconds idle{60'000};  ///< between requests, and before the first byte
+    /// For a body or an answer, to which comes its size over `bytes_per_second`.
+    std::chrono::milliseconds transfer{20'000};
+    std::size_t bytes_per_second = 64U << 10U;
+    std::chrono::milliseconds linger{1'000};  ///< for the peer to read the answer before a close
+    std::chrono::milliseconds drain{10'000};  ///< for requests under way when the daemon stops
+    std::chrono::milliseconds heartbeat{15'000};       ///< comment on a silent event stream
+    std::chrono::milliseconds progress_interval{250};  ///< least time between progress events
+    std::chrono::seconds longest_wait{30};             ///< that `Prefer: wait` may ask for
+};
+
+struct HttpOptions {
+    std::string host = "127.0.0.1";
+    int port = 8080;  ///< 0: any free one
+    int handler_threads = 4;
+    std::size_t max_connections = 4096;  ///< event streams included; beyond: 503
+    /// Origins of web pages elsewhere that may call the API, e.g. "https://example.org"; "*" is
+    /// every one, "null" a page opened from a file.
+    std::vector<std::string> cors_origins;
+    HttpLimits limits;
+    HttpDeadlines deadlines;
+};
+
+/// One request, answered. Event streams are reported when they end.
+struct AccessRecord {
+    std::string method;
+    std::string path;  ///< with the query; printable ASCII only
+    int status = 0;
+    double milliseconds = 0;  ///< from the last byte of the request to the answer
+    std::uint64_t bytes = 0;  ///< of the answer, its head included
+    std::string request_id;
+    std::string client;  ///< numeric address
+    std::string error;   ///< what went wrong inside; never sent to the client
+};
+
+/// Called from several threads; must not throw and should not block. May be empty.
+using AccessLog = std::function<void(const AccessRecord&)>;
+
+}  // namespace bouguer::server

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/http/representation.h"
+
+#include "api/digest.h"
+#include "server/http/byte_range.h"
+#include "server/http/problems.h"
+
+namespace bouguer::server {
+namespace {
+
+/// Whether a list of entity tags holds `tag`, by weak comparison.
+bool matches(std::string_view field, const std::string& quoted_tag) {
+    const auto first = field.find_first_not_of(" \t");
+    if (first != std::string_view::npos && field.substr(first, 1) == "*") return true;
+    // tags are hexadecimal here, so a quoted match cannot lie inside another tag
+    return field.find(quoted_tag) != std::string_view::npos;
+}
+
+/// If-Range compares strongly, and a date never matches: there is no Last-Modified here.
+bool range_applies(const httplib::Request& request, const std::string& quoted_tag) {
+    return !request.has_header("If-Range") || request.get_header_value("If-Range") == quoted_tag;
+}
+
+void send_part(httplib::Response& response, std::string bytes, ByteRange range) {
+    response.status = 206;
+    response.set_header("Content-Range", "bytes " + std::to_string(range.first) + '-' +
+                                             std::to_string(range.first + range.length - 1) + '/' +
+                                             std::to_string(bytes.size()));
+    response.body = bytes.substr(range.first, range.length);
+}
+
+}  // namespace
+
+Representation representation_of(ResultFile file) {
+    return {.bytes = std::move(file.bytes),
+            .media_type = std::move(file.media_type),
+            .tag = std::move(file.digest),
+            .immutable = file.final,
+            .ranges = true};
+}
+
+Representation json_representation(std::string json) {
+    std::string tag = api::sha256_hex(json).substr(0, 32);
+    return {.bytes = std::move(json),
+            .media_type = "application/json",
+            .tag = std::move(tag),
+            .immutable = false,
+            .ranges = false};
+}
+
+void send_representation(const httplib::Request& request, httplib::Response& response,
+                         Representation representation, std::string_view request_id) {
+    const std::string tag = '"' + representation.tag + '"';
+    response.status = 200;
+    response.set_header("ETag", tag);
+    response.set_header("Cache-Control",
+                        representation.immutable ? "max-age=31536000, immutable" : "no-cache");
+    if (representation.ranges) response.set_header("Accept-Ranges", "bytes");
+    if (matches(request.get_header_value("If-None-Match"), tag)) {
+        response.status = 304;
+        return;
+    }
+    RangeRequest wanted;
+    if (representation.ranges && request.method == "GET" && range_applies(request, tag)) {
+        wanted = parse_range_field(request.get_header_value("Range"), representation.bytes.size());
+    }
+    if (wanted.kind == RangeRequest::Kind::NotSatisfiable) {
+        response.set_header("Content-Range",
+                            "bytes */" + std::to_string(representation.bytes.size()));
+        return send_problem(
+            response, Refusal{416, "range-not-satisfiable", "The range begins behind the end."},
+            request_id);
+    }
+    response.set_header("Content-Type", representation.media_type);
+    if (wanted.kind == RangeRequest::Kind::Part) {
+        return send_part(response, std::move(representation.bytes), wanted.range);
+    }
+    response.body = std::move(representation.bytes);
+}
+
+}  // namespace bouguer::server

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sending bytes that have an entity tag: conditional requests and ranges [RFC 9110 §13, §14].
+#pragma once
+
+#include <httplib.h>
+
+#include <string>
+#include <string_view>
+
+#include "server/jobs/job_service.h"
+
+namespace bouguer::server {
+
+struct Representation {
+    std::string bytes;
+    std::string media_type;
+    std::string tag;  ///< of the entity tag, without quotes; strong
+    bool immutable = false;
+    bool ranges = false;  ///< whether parts may be asked for
+};
+
+/// 200, 206, 304 or 416, as the request's If-None-Match, Range and If-Range ask.
+void send_representation(const httplib::Request& request, httplib::Response& response,
+                         Representation representation, std::string_view request_id);
+
+/// A result file: its digest is the tag, and parts may be asked for.
+[[nodiscard]] Representation representation_of(ResultFile file);
+/// A document made for this answer, tagged by its content.
+[[nodiscard]] Representation json_representation(std::string json);
+
+}  // namespace bouguer::server

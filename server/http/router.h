@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a complete request to the bytes of its answer. The HTTP library parses the target, finds the
+// route and writes the answer; what it does not do or does otherwise than the standards is here.
+#pragma once
+
+#include <httplib.h>
+
+#include <functional>
+#include <memory>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "server/http/exchange.h"
+#include "server/http/httplib_compat.h"
+
+namespace bouguer::server {
+
+/// Routes are added before the first handle(); from then on every member is thread-safe.
+class Router {
+  public:
+    /// Fills `response`; may throw, which becomes a 500 without the exception's text.
+    using Handler = std::function<void(const httplib::Request& request, httplib::Response& response,
+                                       Exchange& exchange)>;
+
+    explicit Router(std::vector<std::string> cors_origins);
+
+    /// `pattern`: a regular expression (ECMAScript) for the whole path. GET routes serve HEAD too.
+    void get(const std::string& pattern, Handler handler);
+    void post(const std::string& pattern, Handler handler);
+    void del(const std::string& pattern, Handler handler);
+
+    /// Answers `exchange`: an answer, a stream or a wait. Never throws.
+    void handle(Exchange& exchange);
+
+  private:
+    struct Route {
+        std::string method;
+        std::regex path;
+    };
+
+    httplib::Server::Handler remember(std::string method, const std::string& pattern,
+                                      Handler handler);
+    void process(Exchange& exchange);
+    /// "GET, HEAD, OPTIONS" ...; empty when no route has this path.
+    [[nodiscard]] std::string allowed_methods(const std::string& path) const;
+    /// Answers what needs no route; false: go on.
+    [[nodiscard]] bool before_routing(const httplib::Request& request,
+                                      httplib::Response& response) const;
+    void on_error(const httplib::Request& request, httplib::Response& response) const;
+    void finish(const httplib::Request& request, httplib::Response& response) const;
+
+    HttplibEngine engine_;
+    std::vector<Route> routes_;
+    const std::vector<std::string> cors_origins_;
+};
+
+}  // namespace bouguer::server

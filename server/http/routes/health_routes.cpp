@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/http/routes/health_routes.h"
+
+#include "server/http/plain_answer.h"
+
+namespace bouguer::server {
+namespace {
+
+struct Health {
+    int status;
+    std::string json;
+};
+
+Health livez() { return {200, "{\"status\":\"alive\"}\n"}; }
+
+Health readyz(const JobService& jobs) {
+    const bool ready = jobs.ready();
+    return {ready ? 200 : 503, std::string("{\"status\":\"") + (ready ? "ready" : "not ready") +
+                                   "\",\"queued\":" + std::to_string(jobs.queue_length()) + "}\n"};
+}
+
+void send(httplib::Response& response, Health health) {
+    response.status = health.status;
+    response.body = std::move(health.json);
+    response.set_header("Content-Type", "application/json");
+}
+
+}  // namespace
+
+bool answer_health(const JobService& jobs, Exchange& exchange) {
+    const std::string_view path = exchange.head.path();
+    const std::string& method = exchange.head.method;
+    if ((path != "/livez" && path != "/readyz") || (method != "GET" && method != "HEAD")) {
+        return false;
+    }
+    Health health = path == "/livez" ? livez() : readyz(jobs);
+    exchange.status = health.status;
+    exchange.answer = to_bytes({.status = health.status,
+                                .body = std::move(health.json),
+                                .request_id = exchange.request_id,
+                                .retry_after_s = health.status == 503 ? 1 : 0,
+                                .close = exchange.close,
+                                .head_only = method == "HEAD"});
+    return true;
+}
+
+void add_health_routes(Router& router, const JobService& jobs) {
+    router.get("/livez", [](const httplib::Request&, httplib::Response& response, Exchange&) {
+        send(response, livez());
+    });
+    router.get("/readyz", [&jobs](const httplib::Request&, httplib::Response& response, Exchange&) {
+        send(response, readyz(jobs));
+    });
+}
+
+}  // namespace bouguer::server
