@@ -73,7 +73,7 @@ constexpr std::array kCameras{
 }  // namespace
 
 std::optional<renderer::Resolution> read_resolution(const JsonValue& value, const Limits& limits) {
-    if (!value.is_array(2, 2, "numbers")) return std::nullopt;
+    if (!value.is_tuple(2, "numbers")) return std::nullopt;
     const auto width = value.element(0).integer(1, limits.resolution, true);
     const auto height = value.element(1).integer(1, limits.resolution, true);
     if (!width || !height) return std::nullopt;

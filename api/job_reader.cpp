@@ -80,7 +80,7 @@ renderer::StopRule read_stop(const JsonValue& value, const Limits& limits) {
 /// crop: [x, y, width, height] in pixels, inside the picture; row 0 is on top.
 std::optional<renderer::Crop> read_crop(const JsonValue& value, renderer::Resolution whole,
                                         bool is_resolution_good) {
-    if (!value.is_array(4, 4, "numbers")) return std::nullopt;
+    if (!value.is_tuple(4, "numbers")) return std::nullopt;
     const std::int64_t right = is_resolution_good ? whole.width : INT32_MAX;
     const std::int64_t bottom = is_resolution_good ? whole.height : INT32_MAX;
     const auto x = value.element(0).integer(0, right - 1);

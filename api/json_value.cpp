@@ -72,10 +72,21 @@ bool JsonValue::is_array(std::size_t min, std::size_t max, std::string_view of) 
     }
     const std::size_t size = json_->size();
     if (size >= min && size <= max) return true;
-    report(size > max && max > min ? "over-limit" : "out-of-range",
-           "the array has the wrong number of " + name,
-           min == max ? std::to_string(min) + " " + name
-                      : std::to_string(min) + " to " + std::to_string(max) + " " + name);
+    const bool is_short = size < min;
+    report(is_short ? "out-of-range" : "over-limit",
+           "the array has too " + std::string(is_short ? "few " : "many ") + name,
+           std::to_string(min) + " to " + std::to_string(max) + " " + name);
+    return false;
+}
+
+bool JsonValue::is_tuple(std::size_t size, std::string_view of) const {
+    const std::string allowed = "an array of " + std::to_string(size) + " " + std::string(of);
+    if (!json_->is_array()) {
+        report_type(allowed);
+        return false;
+    }
+    if (json_->size() == size) return true;
+    report("out-of-range", "the array has the wrong length", allowed);
     return false;
 }
 
@@ -130,7 +141,7 @@ std::optional<std::string> JsonValue::text(std::size_t max_bytes) const {
 }
 
 std::optional<renderer::Vec3> JsonValue::vec3(const Interval& each) const {
-    if (!is_array(3, 3, "numbers")) return std::nullopt;
+    if (!is_tuple(3, "numbers")) return std::nullopt;
     const auto x = element(0).number(each);
     const auto y = element(1).number(each);
     const auto z = element(2).number(each);
@@ -147,8 +158,8 @@ std::optional<renderer::Vec3> JsonValue::direction() const {
     return std::nullopt;
 }
 
-std::optional<std::vector<double>> JsonValue::numbers(std::size_t min, std::size_t max) const {
-    if (!is_array(min, max, "numbers")) return std::nullopt;
+std::optional<std::vector<double>> JsonValue::numbers(std::size_t max) const {
+    if (!is_array(0, max, "numbers")) return std::nullopt;
     std::vector<double> values;
     values.reserve(json_->size());
     for (std::size_t i = 0; i < json_->size(); ++i) {

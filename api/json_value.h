@@ -53,6 +53,8 @@ class JsonValue {
     /// Whether this is an array with a length in [min, max]; `of` names its elements ("triangles").
     /// A length above `max` is "over-limit".
     [[nodiscard]] bool is_array(std::size_t min, std::size_t max, std::string_view of) const;
+    /// Whether this is an array of exactly `size`; another length is "out-of-range".
+    [[nodiscard]] bool is_tuple(std::size_t size, std::string_view of) const;
 
     [[nodiscard]] std::optional<double> number(const Interval& allowed) const;
     /// A number without fractional part; 16 and 16.0 are the same.
@@ -65,9 +67,8 @@ class JsonValue {
     [[nodiscard]] std::optional<renderer::Vec3> vec3(const Interval& each = kCoordinate) const;
     /// Three numbers that are not all zero.
     [[nodiscard]] std::optional<renderer::Vec3> direction() const;
-    /// Any finite numbers.
-    [[nodiscard]] std::optional<std::vector<double>> numbers(std::size_t min,
-                                                             std::size_t max) const;
+    /// At most `max` numbers of any size.
+    [[nodiscard]] std::optional<std::vector<double>> numbers(std::size_t max) const;
     /// One of `words`.
     [[nodiscard]] std::optional<std::string_view> one_of(
         const std::vector<std::string_view>& words) const;

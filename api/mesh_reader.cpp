@@ -31,16 +31,11 @@ bool is_safe_path(std::string_view path) {
     return true;
 }
 
-/// A mesh with something in it; a refusal is reported at `value`, or below it where the renderer
-/// points into the mesh.
+/// The mesh; a refusal is reported at `value`.
 std::optional<renderer::Shape> accept(const JsonValue& value,
                                       const Result<std::shared_ptr<const TriangleMesh>>& mesh) {
-    if (!mesh) {
-        value.problems().add_below(value.pointer(), mesh.error());
-        return std::nullopt;
-    }
-    if (!(*mesh)->triangles.empty()) return *mesh;
-    value.report("degenerate", "no triangle of the mesh has an area", "at least one triangle");
+    if (mesh) return *mesh;
+    value.problems().add_below(value.pointer(), mesh.error());
     return std::nullopt;
 }
 
@@ -50,9 +45,9 @@ std::nullopt_t report_bad_file(const JsonValue& path, const Error& error) {
         path.problems().fail_with(error);
         return std::nullopt;
     }
-    if (error.problems.empty()) path.report("bad-asset", error.message, "a PLY or OBJ file");
+    if (error.problems.empty()) path.report("bad-mesh", error.message, "a PLY or OBJ file");
     for (const Problem& problem : error.problems) {
-        path.report("bad-asset", problem.detail, problem.allowed);
+        path.report("bad-mesh", problem.detail, problem.allowed);
     }
     return std::nullopt;
 }
@@ -82,7 +77,7 @@ std::optional<std::vector<T>> read_rows(const JsonValue& value, std::size_t size
         }
         // Slowly again, for the pointer of what is wrong.
         const JsonValue at = value.element(i);
-        if (!at.is_array(size, size, "numbers")) continue;
+        if (!at.is_tuple(size, "numbers")) continue;
         for (std::size_t k = 0; k < size; ++k) {
             static_cast<void>(at.element(k).number(kCoordinate));
         }
@@ -114,7 +109,7 @@ std::optional<Triangle> plain_triangle(const Json& row, std::size_t vertices) {
 
 /// Any triangle; reports what is wrong with it.
 std::optional<Triangle> checked_triangle(const JsonValue& value, std::size_t vertices) {
-    if (!value.is_array(3, 3, "vertex indices")) return std::nullopt;
+    if (!value.is_tuple(3, "vertex indices")) return std::nullopt;
     Triangle corners{};
     bool is_good = true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -149,10 +144,10 @@ std::optional<std::vector<Triangle>> read_triangles(const JsonValue& value, std:
 /// A list with one entry a position, when it is there; `is_good` becomes false after a report.
 template <class T, class Make>
 std::vector<T> read_per_vertex(const std::optional<JsonValue>& value, std::size_t size,
-                               const std::optional<std::vector<Vec3>>& positions, std::size_t max,
-                               bool& is_good, const Make& make) {
+                               const std::optional<std::vector<Vec3>>& positions, bool& is_good,
+                               const Make& make) {
     if (!value) return {};
-    auto rows = read_rows<T>(*value, size, max, "rows of numbers", make);
+    auto rows = read_rows<T>(*value, size, SIZE_MAX, "rows of numbers", make);
     if (rows && positions && rows->size() != positions->size()) {
         value->report("out-of-range", "there must be one entry for every position",
                       std::to_string(positions->size()) + " entries");
@@ -173,10 +168,8 @@ std::optional<renderer::Shape> read_mesh_shape(JsonReader& reader, const ReadCon
                                   : std::nullopt;
     bool is_good = true;
     TriangleMesh mesh;
-    mesh.normals = read_per_vertex<Vec3>(reader.find("normals"), 3, positions, limits.mesh_vertices,
-                                         is_good, make_vec3);
-    mesh.uvs = read_per_vertex<Vec2>(reader.find("uvs"), 2, positions, limits.mesh_vertices,
-                                     is_good, make_vec2);
+    mesh.normals = read_per_vertex<Vec3>(reader.find("normals"), 3, positions, is_good, make_vec3);
+    mesh.uvs = read_per_vertex<Vec2>(reader.find("uvs"), 2, positions, is_good, make_vec2);
     // Without positions that could be read, indices are judged by their type alone.
     auto triangles = triangles_at ? read_triangles(*triangles_at, limits.mesh_triangles,
                                                    positions ? positions->size() : SIZE_MAX)

@@ -53,8 +53,8 @@ std::optional<ReadSpectrum> read_samples(SpectrumReader& spectra, JsonReader& re
     const std::size_t most = spectra.limits().spectrum_samples;
     const auto at = reader.require("wavelengths_nm");
     const auto of = reader.require("values");
-    const auto wavelengths = at ? at->numbers(0, most) : std::nullopt;
-    const auto values = of ? of->numbers(0, most) : std::nullopt;
+    const auto wavelengths = at ? at->numbers(most) : std::nullopt;
+    const auto values = of ? of->numbers(most) : std::nullopt;
     if (!wavelengths || !values) return std::nullopt;
     auto read = accept(reader.value(), renderer::sampled_spectrum(*wavelengths, *values));
     if (read) include_samples(*read, *wavelengths, *values);
@@ -65,7 +65,7 @@ std::optional<ReadSpectrum> read_regular(SpectrumReader& spectra, JsonReader& re
     const auto first = reader.require_number("first_nm", kWavelength_nm);
     const auto step = reader.require_number("step_nm", kWavelength_nm);
     const auto of = reader.require("values");
-    const auto values = of ? of->numbers(0, spectra.limits().spectrum_samples) : std::nullopt;
+    const auto values = of ? of->numbers(spectra.limits().spectrum_samples) : std::nullopt;
     if (!first || !step || !values) return std::nullopt;
     auto read = accept(reader.value(), renderer::regular_spectrum(*first, *step, *values));
     if (!read) return read;

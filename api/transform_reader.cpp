@@ -41,7 +41,7 @@ std::optional<Transform> read_scale(const JsonValue& value) {
 
 /// The last row of a 4 x 4 matrix, which must be that of an affine map.
 bool is_affine_row(const JsonValue& row) {
-    if (!row.is_array(4, 4, "numbers")) return false;
+    if (!row.is_tuple(4, "numbers")) return false;
     for (std::size_t i = 0; i < 4; ++i) {
         const double wanted = i == 3 ? 1 : 0;
         if (!row.element(i).number({wanted, wanted})) return false;
@@ -50,13 +50,14 @@ bool is_affine_row(const JsonValue& row) {
 }
 
 std::optional<Transform> read_matrix(const JsonValue& value) {
-    if (!value.is_array(3, 4, "rows of four numbers")) return std::nullopt;
+    const bool has_four_rows = value.json().is_array() && value.json().size() == 4;
+    if (!has_four_rows && !value.is_tuple(3, "or 4 rows of 4 numbers")) return std::nullopt;
     Transform m;
     bool is_good = true;
     for (std::size_t row = 0; row < 3; ++row) {
         const JsonValue at = value.element(row);
         std::array<double, 4> numbers{};
-        if (!at.is_array(4, 4, "numbers")) {
+        if (!at.is_tuple(4, "numbers")) {
             is_good = false;
             continue;
         }
@@ -68,7 +69,7 @@ std::optional<Transform> read_matrix(const JsonValue& value) {
         m.a[row] = {numbers[0], numbers[1], numbers[2]};
         (row == 0 ? m.t.x : row == 1 ? m.t.y : m.t.z) = numbers[3];
     }
-    if (value.json().size() == 4 && !is_affine_row(value.element(3))) is_good = false;
+    if (has_four_rows && !is_affine_row(value.element(3))) is_good = false;
     return is_good ? std::optional(m) : std::nullopt;
 }
 
