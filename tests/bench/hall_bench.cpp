@@ -4,18 +4,16 @@
 //
 //     hall_bench SCENE.json [SAMPLES] [THREADS] [OUT.png]
 
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <mutex>
 #include <thread>
 #include <vector>
 
-#include "renderer/film/unit_result.h"
 #include "renderer/geometry/embree_geometry.h"
 #include "renderer/integrators/integrator_registry.h"
 #include "renderer/scene/scene.h"
+#include "tests/support/parallel_render.h"
 #include "tests/support/scene_files.h"
 
 namespace {
@@ -68,26 +66,6 @@ double on_threads(int threads, Work work) {
     for (int i = 0; i < threads; ++i) pool.emplace_back([&work, i] { work(i); });
     for (std::thread& t : pool) t.join();
     return seconds_since(start);
-}
-
-double render_all(Render& render, int threads) {
-    std::mutex mutex;
-    const auto start = Clock::now();
-    return on_threads(threads, [&](int) {
-        while (true) {
-            std::unique_lock lock(mutex);
-            if (render.finished()) return;
-            const auto unit = render.next_unit();
-            lock.unlock();
-            if (!unit) {
-                std::this_thread::yield();
-                continue;
-            }
-            auto result = render.trace(*unit);
-            lock.lock();
-            render.merge(std::move(result), seconds_since(start));
-        }
-    });
 }
 
 /// What Embree does with a ray when nobody refines, shades or books: the bare query.
@@ -158,7 +136,7 @@ int main(int argc, char** argv) {
     double best_share = 0;
     for (int round = 0; round < 3; ++round) {
         auto render = Render::create(scene, job.settings, stop).value();
-        const double render_s = render_all(*render, threads);
+        const double render_s = bouguer::test::run_to_end(*render, threads);
         const double render_rate = static_cast<double>(render->rays()) / render_s;
         const auto replay = [&](auto trace) {
             const double s = on_threads(threads, [&](int t) {

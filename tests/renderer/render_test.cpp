@@ -3,12 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <mutex>
 #include <set>
-#include <thread>
 
 #include "renderer/film/unit_result.h"
 #include "renderer/pass_plan.h"
+#include "tests/support/parallel_render.h"
 #include "tests/support/scenes.h"
 
 namespace bouguer::renderer {
@@ -51,31 +50,12 @@ RenderSettings small(int width = 70, int height = 45) {
     return settings;
 }
 
-/// Renders on `threads` threads that take and merge units as they come.
 std::vector<float> render_on(int threads, std::shared_ptr<const Scene> scene,
                              const RenderSettings& settings, std::uint32_t samples) {
     StopRule stop;
     stop.samples = samples;
     const auto render = Render::create(std::move(scene), settings, stop).value();
-    std::mutex mutex;
-    const auto work = [&] {
-        while (true) {
-            std::unique_lock lock(mutex);
-            if (render->finished()) return;
-            const auto unit = render->next_unit();
-            lock.unlock();
-            if (!unit) {
-                std::this_thread::yield();
-                continue;
-            }
-            auto result = render->trace(*unit);
-            lock.lock();
-            render->merge(std::move(result), 0);
-        }
-    };
-    std::vector<std::thread> pool;
-    for (int i = 0; i < threads; ++i) pool.emplace_back(work);
-    for (std::thread& t : pool) t.join();
+    bouguer::test::run_to_end(*render, threads);
     return render->picture()->xyz;
 }
 
