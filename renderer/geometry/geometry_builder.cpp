@@ -29,9 +29,12 @@ Transform scaled(const Transform& m, Real by) {
     return {{by * m.a[0], by * m.a[1], by * m.a[2]}, by * m.t};
 }
 
+/// Of the vertices that triangles use.
 Bounds bounds_of(const TriangleMesh& mesh, const Transform& transform) {
     Bounds bounds;
-    for (const Vec3& p : mesh.positions) bounds.add(transform.point(p));
+    for (const auto& corners : mesh.triangles) {
+        for (const std::uint32_t i : corners) bounds.add(transform.point(mesh.positions[i]));
+    }
     return bounds;
 }
 

@@ -7,11 +7,23 @@
 namespace bouguer::renderer {
 namespace {
 
-/// Roundings of the ray's origin and of the vertices relative to it, in units of the last place of
-/// single precision, with room for a normal that is itself rounded. Instances add a transform that
-/// Embree inverts in single precision.
+/// Roundings of the ray's origin and of the vertices relative to it, and of a normal: eight units
+/// in the last place of single precision; two are the least with which tests find no ray that meets
+/// its own triangle again. Instances add a transform that Embree inverts in single precision.
 constexpr Real kRounding = 0x1p-21;
 constexpr Real kInstanceRounding = 0x1p-19;
+
+/// How much a transform and its inverse amplify rounding, >= 1: 1 for turns and scales.
+Real condition(const Transform& m) {
+    const auto inverse = m.inverse();
+    if (!inverse) return 1;
+    Real worst = 1;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 column{m.a[0][i], m.a[1][i], m.a[2][i]};
+        worst = std::max(worst, length(column) * length(inverse->a[static_cast<std::size_t>(i)]));
+    }
+    return worst;
+}
 
 Vec3 interpolate(const std::vector<Vec3>& values, const std::array<std::uint32_t, 3>& corners,
                  Real u, Real v) {
@@ -38,6 +50,7 @@ MeshPart::MeshPart(std::shared_ptr<const TriangleMesh> mesh,
       buffer_(std::move(buffer)),
       from_buffer_(from_buffer),
       scale_(scale),
+      rounding_(from_buffer ? kInstanceRounding * condition(*from_buffer) : kRounding),
       outwards_(to_scene.determinant() < 0 ? -1 : 1),
       to_mesh_(to_scene.inverse().value_or(Transform{})) {}
 
@@ -72,7 +85,7 @@ bool MeshPart::refine(const Ray& ray, const TriangleHit& at, Hit& hit) const {
     hit.t = t;
     hit.ng = (outwards_ / length(n)) * n;
     hit.ns = hit.ng;
-    hit.error = (from_buffer_ ? kInstanceRounding : kRounding) * (max_abs(hit.p) + extent);
+    hit.error = rounding_ * (max_abs(hit.p) + extent);
     hit.u = at.u;
     hit.v = at.v;
     hit.primitive = at.primitive;

@@ -57,6 +57,7 @@ class MeshPart {
     std::shared_ptr<const VertexBuffer> buffer_;
     std::optional<Transform> from_buffer_;
     Real scale_;
+    Real rounding_;  ///< how far a query may be off, of the coordinates' size
     Real outwards_;  ///< -1 where the transform mirrors, else 1
     Transform to_mesh_;
 };
