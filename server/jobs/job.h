@@ -42,6 +42,18 @@ inline constexpr std::array kLegalTransitions{
     return s == JobState::Done || s == JobState::Failed || s == JobState::Cancelled;
 }
 
+/// How far a job is. Of a running job it is known in memory only and lost at a restart, when
+/// rendering begins again; with the end of a job it is stored.
+struct JobProgress {
+    double fraction = 0;  ///< [0, 1]
+    std::uint32_t samples = 0, pass = 0;
+    std::uint64_t rays = 0;
+    double seconds = 0;
+    std::optional<double> seconds_left;
+    std::optional<double> relative_rmse, relative_rmse_low, relative_rmse_high;
+    bool operator==(const JobProgress&) const = default;
+};
+
 /// What is stored of a job. Plain value.
 struct Job {
     JobId id;
@@ -55,17 +67,8 @@ struct Job {
     std::string scene_digest, digest;  ///< "sha256-<hex>"
     std::string request;               ///< canonical job document
     std::string failure;               ///< why it failed, fit for a client
+    JobProgress progress;              ///< of a job that has ended: how far it came
     bool operator==(const Job&) const = default;
-};
-
-/// How far a running job is. From memory; lost at a restart, when rendering begins again.
-struct JobProgress {
-    double fraction = 0;  ///< [0, 1]
-    std::uint32_t samples = 0, pass = 0;
-    std::uint64_t rays = 0;
-    double seconds = 0;
-    std::optional<double> seconds_left;
-    std::optional<double> relative_rmse, relative_rmse_low, relative_rmse_high;
 };
 
 }  // namespace bouguer::server

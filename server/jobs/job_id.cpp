@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server/jobs/job_id.h"
 
-#include <chrono>
-
 namespace bouguer::server {
 namespace {
 
@@ -28,12 +26,6 @@ bool is_job_id(std::string_view text) {
         }
     }
     return true;
-}
-
-std::int64_t unix_ms() {
-    return std::chrono::duration_cast<std::chrono::milliseconds>(
-               std::chrono::system_clock::now().time_since_epoch())
-        .count();
 }
 
 JobId JobIdMaker::make(std::int64_t now_ms) {

@@ -14,9 +14,6 @@ namespace bouguer::server {
 /// Whether `text` is a lower-case UUID in its 36-character form.
 [[nodiscard]] bool is_job_id(std::string_view text);
 
-/// Milliseconds of Unix time now.
-[[nodiscard]] std::int64_t unix_ms();
-
 /// Makes ids that sort by time of making, also within one millisecond and when the clock is set
 /// back [RFC 9562 §6.2, method 1: a counter in rand_a]. Thread-safe.
 class JobIdMaker {

@@ -18,7 +18,10 @@ Result<void> apply_transition(Job& job, const Transition& change) {
     if (to == JobState::Running) job.started_ms = change.now_ms;
     if (to == JobState::Queued) job.started_ms = 0;
     if (to == JobState::Failed) job.failure = change.failure;
-    if (is_final(to)) job.ended_ms = change.now_ms;
+    if (is_final(to)) {
+        job.ended_ms = change.now_ms;
+        job.progress = change.progress;
+    }
     return {};
 }
 

@@ -33,7 +33,8 @@ struct JobListing {
 struct Transition {
     JobState from, to;
     std::int64_t now_ms = 0;  ///< Unix time; becomes started_ms or ended_ms
-    std::string failure;      ///< kept when `to` is Failed
+    std::string failure{};    ///< kept when `to` is Failed
+    JobProgress progress{};   ///< kept when `to` is final
 };
 
 /// Thread-safe; may block on a disk, never on a render. Jobs that come out carry no request

@@ -21,7 +21,8 @@ namespace {
 
 constexpr const char* kColumns =
     "id, state, priority, created_ms, started_ms, ended_ms, revision, memory_bytes, name, "
-    "scene_digest, digest, failure";
+    "scene_digest, digest, failure, fraction, samples, passes, rays, seconds, relative_rmse, "
+    "relative_rmse_low, relative_rmse_high";
 
 tl::unexpected<Error> no_such_job() { return fail(ErrorKind::NotFound, "no such job"); }
 
@@ -46,6 +47,45 @@ std::map<std::string, std::string> read_labels(SQLite::Database& db, const JobId
     return labels;
 }
 
+std::optional<double> optional_double(const SQLite::Column& column) {
+    if (column.isNull()) return std::nullopt;
+    return column.getDouble();
+}
+
+/// From column `i` on.
+JobProgress read_progress(SQLite::Statement& query, int i) {
+    JobProgress progress;
+    progress.fraction = query.getColumn(i).getDouble();
+    progress.samples = static_cast<std::uint32_t>(query.getColumn(i + 1).getInt64());
+    progress.pass = static_cast<std::uint32_t>(query.getColumn(i + 2).getInt64());
+    progress.rays = static_cast<std::uint64_t>(query.getColumn(i + 3).getInt64());
+    progress.seconds = query.getColumn(i + 4).getDouble();
+    progress.relative_rmse = optional_double(query.getColumn(i + 5));
+    progress.relative_rmse_low = optional_double(query.getColumn(i + 6));
+    progress.relative_rmse_high = optional_double(query.getColumn(i + 7));
+    return progress;
+}
+
+void bind_optional(SQLite::Statement& row, int i, const std::optional<double>& value) {
+    if (value) {
+        row.bind(i, *value);
+    } else {
+        row.bind(i);
+    }
+}
+
+/// To parameter `i` and the following.
+void bind_progress(SQLite::Statement& row, int i, const JobProgress& progress) {
+    row.bind(i, progress.fraction);
+    row.bind(i + 1, static_cast<std::int64_t>(progress.samples));
+    row.bind(i + 2, static_cast<std::int64_t>(progress.pass));
+    row.bind(i + 3, static_cast<std::int64_t>(progress.rays));
+    row.bind(i + 4, progress.seconds);
+    bind_optional(row, i + 5, progress.relative_rmse);
+    bind_optional(row, i + 6, progress.relative_rmse_low);
+    bind_optional(row, i + 7, progress.relative_rmse_high);
+}
+
 /// The row that `query` stands on; its columns are kColumns.
 Job read_job(SQLite::Database& db, SQLite::Statement& query) {
     Job job;
@@ -61,6 +101,7 @@ Job read_job(SQLite::Database& db, SQLite::Statement& query) {
     job.scene_digest = query.getColumn(9).getString();
     job.digest = query.getColumn(10).getString();
     job.failure = query.getColumn(11).getString();
+    job.progress = read_progress(query, 12);
     job.labels = read_labels(db, job.id);
     return job;
 }
@@ -91,8 +132,10 @@ Result<std::optional<InsertedJob>> known_key(SQLite::Database& db, const Idempot
 }
 
 void insert_job(SQLite::Database& db, const Job& job) {
-    SQLite::Statement row(db, std::string("INSERT INTO jobs (") + kColumns +
-                                  ", request) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    SQLite::Statement row(
+        db,
+        std::string("INSERT INTO jobs (") + kColumns +
+            ", request) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     row.bind(1, job.id);
     row.bind(2, std::string(to_string(job.state)));
     row.bind(3, job.priority);
@@ -105,7 +148,8 @@ void insert_job(SQLite::Database& db, const Job& job) {
     row.bind(10, job.scene_digest);
     row.bind(11, job.digest);
     row.bind(12, job.failure);
-    row.bind(13, job.request);
+    bind_progress(row, 13, job.progress);
+    row.bind(21, job.request);
     row.exec();
     for (const auto& [name, value] : job.labels) {
         SQLite::Statement label(db,
@@ -128,15 +172,18 @@ void insert_key(SQLite::Database& db, const IdempotencyKey& key, const JobId& id
 }
 
 void store_transition(SQLite::Database& db, const Job& job) {
-    SQLite::Statement row(db,
-                          "UPDATE jobs SET state = ?, started_ms = ?, ended_ms = ?, revision = ?, "
-                          "failure = ? WHERE id = ?");
+    SQLite::Statement row(
+        db,
+        "UPDATE jobs SET state = ?, started_ms = ?, ended_ms = ?, revision = ?, failure = ?, "
+        "fraction = ?, samples = ?, passes = ?, rays = ?, seconds = ?, relative_rmse = ?, "
+        "relative_rmse_low = ?, relative_rmse_high = ? WHERE id = ?");
     row.bind(1, std::string(to_string(job.state)));
     row.bind(2, job.started_ms);
     row.bind(3, job.ended_ms);
     row.bind(4, static_cast<std::int64_t>(job.revision));
     row.bind(5, job.failure);
-    row.bind(6, job.id);
+    bind_progress(row, 6, job.progress);
+    row.bind(14, job.id);
     row.exec();
 }
 

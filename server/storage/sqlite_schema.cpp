@@ -30,6 +30,14 @@ CREATE TABLE jobs (
     scene_digest TEXT NOT NULL,
     digest       TEXT NOT NULL,
     failure      TEXT NOT NULL,
+    fraction     DOUBLE PRECISION NOT NULL,
+    samples      BIGINT NOT NULL,
+    passes       BIGINT NOT NULL,
+    rays         BIGINT NOT NULL,
+    seconds      DOUBLE PRECISION NOT NULL,
+    relative_rmse      DOUBLE PRECISION,
+    relative_rmse_low  DOUBLE PRECISION,
+    relative_rmse_high DOUBLE PRECISION,
     request      TEXT NOT NULL
 );
 CREATE INDEX jobs_by_state ON jobs (state, id);

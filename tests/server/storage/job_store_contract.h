@@ -72,9 +72,8 @@ TYPED_TEST_P(JobStoreContract, KnowsNothingOfUnknownJobs) {
     EXPECT_EQ(this->store_->find(id).error().kind, ErrorKind::NotFound);
     EXPECT_EQ(this->store_->request(id).error().kind, ErrorKind::NotFound);
     EXPECT_EQ(this->store_->remove(id).error().kind, ErrorKind::NotFound);
-    EXPECT_EQ(
-        this->store_->transition(id, {JobState::Queued, JobState::Running, 1, {}}).error().kind,
-        ErrorKind::NotFound);
+    EXPECT_EQ(this->store_->transition(id, {JobState::Queued, JobState::Running, 1}).error().kind,
+              ErrorKind::NotFound);
 }
 
 TYPED_TEST_P(JobStoreContract, ReplaysAKeyWithTheSameBody) {
@@ -147,8 +146,7 @@ TYPED_TEST_P(JobStoreContract, AFullLastPageHasNoCursor) {
 
 TYPED_TEST_P(JobStoreContract, ListsByState) {
     for (int n = 1; n <= 3; ++n) this->insert(make_job(n));
-    ASSERT_TRUE(
-        this->store_->transition(id_number(2), {JobState::Queued, JobState::Cancelled, 5, {}}));
+    ASSERT_TRUE(this->store_->transition(id_number(2), {JobState::Queued, JobState::Cancelled, 5}));
     const auto queued = this->store_->list(10, "", JobState::Queued);
     ASSERT_TRUE(queued);
     ASSERT_EQ(queued->jobs.size(), 2U);
@@ -169,26 +167,27 @@ TYPED_TEST_P(JobStoreContract, RefusesForeignCursors) {
 TYPED_TEST_P(JobStoreContract, TransitionsSetTimesAndRevision) {
     this->insert(make_job(1));
     const auto running =
-        this->store_->transition(id_number(1), {JobState::Queued, JobState::Running, 50, {}});
+        this->store_->transition(id_number(1), {JobState::Queued, JobState::Running, 50});
     ASSERT_TRUE(running);
     EXPECT_EQ(running->state, JobState::Running);
     EXPECT_EQ(running->started_ms, 50);
     EXPECT_EQ(running->revision, 2U);
+    const JobProgress progress{0.5, 8, 3, 1'000'000'000'000, 1.25, {}, 0.1, 0.09, 0.125};
     const auto failed = this->store_->transition(
-        id_number(1), {JobState::Running, JobState::Failed, 60, "no light"});
+        id_number(1), {JobState::Running, JobState::Failed, 60, "no light", progress});
     ASSERT_TRUE(failed);
     EXPECT_EQ(failed->ended_ms, 60);
     EXPECT_EQ(failed->failure, "no light");
+    EXPECT_EQ(failed->progress, progress);
     EXPECT_EQ(failed->revision, 3U);
     EXPECT_EQ(this->store_->find(id_number(1)).value(), *failed);
 }
 
 TYPED_TEST_P(JobStoreContract, ARestartTakesTheStartBack) {
     this->insert(make_job(1));
-    ASSERT_TRUE(
-        this->store_->transition(id_number(1), {JobState::Queued, JobState::Running, 50, {}}));
+    ASSERT_TRUE(this->store_->transition(id_number(1), {JobState::Queued, JobState::Running, 50}));
     const auto queued =
-        this->store_->transition(id_number(1), {JobState::Running, JobState::Queued, 60, {}});
+        this->store_->transition(id_number(1), {JobState::Running, JobState::Queued, 60});
     ASSERT_TRUE(queued);
     EXPECT_EQ(queued->started_ms, 0);
     EXPECT_EQ(queued->ended_ms, 0);
@@ -204,7 +203,7 @@ TYPED_TEST_P(JobStoreContract, RefusesWhatTheTableDoesNotAllow) {
             Job job = make_job(++n);
             job.state = from;
             this->insert(job);
-            const auto changed = this->store_->transition(job.id, {from, to, 1, {}});
+            const auto changed = this->store_->transition(job.id, {from, to, 1});
             EXPECT_EQ(changed.has_value(), is_legal(from, to))
                 << to_string(from) << " -> " << to_string(to);
             if (!changed) {
@@ -214,7 +213,7 @@ TYPED_TEST_P(JobStoreContract, RefusesWhatTheTableDoesNotAllow) {
         }
     }
     this->insert(make_job(100));
-    EXPECT_EQ(this->store_->transition(id_number(100), {JobState::Running, JobState::Done, 1, {}})
+    EXPECT_EQ(this->store_->transition(id_number(100), {JobState::Running, JobState::Done, 1})
                   .error()
                   .kind,
               ErrorKind::Conflict);
@@ -231,7 +230,7 @@ TYPED_TEST_P(JobStoreContract, TransitionsAreAtomic) {
             threads.emplace_back([&] {
                 for (int n = 0; n < kJobs; ++n) {
                     if (this->store_->transition(id_number(n),
-                                                 {JobState::Queued, JobState::Running, 1, {}})) {
+                                                 {JobState::Queued, JobState::Running, 1})) {
                         ++winners;
                     }
                 }

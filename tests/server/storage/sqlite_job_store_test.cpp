@@ -32,7 +32,7 @@ TEST_F(SqliteJobStoreTest, KeepsJobsAndKeysWhenItIsOpenedAgain) {
         auto store = SqliteJobStore::open(file_);
         ASSERT_TRUE(store) << store.error().message;
         ASSERT_TRUE((*store)->insert(job, {"key", "body"}));
-        ASSERT_TRUE((*store)->transition(job.id, {JobState::Queued, JobState::Running, 9, {}}));
+        ASSERT_TRUE((*store)->transition(job.id, {JobState::Queued, JobState::Running, 9}));
     }
     auto store = SqliteJobStore::open(file_);
     ASSERT_TRUE(store) << store.error().message;

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/jobs/job_manager.h"
+
+#include "api/digest.h"
+#include "api/json_builder.h"
+#include "api/writers.h"
+#include "server/jobs/job_json.h"
+#include "server/jobs/memory_estimate.h"
+#include "server/jobs/prepare_render.h"
+#include "server/log.h"
+#include "server/utc_time.h"
+
+namespace bouguer::server {
+namespace {
+
+/// Scenes that clients may have built at the same time only to look at their plan.
+constexpr int kValidationsAtOnce = 2;
+
+/// A job as it is first stored.
+Job new_job(JobId id, const api::JobRequest& request, std::int64_t now_ms) {
+    Job job;
+    job.id = std::move(id);
+    job.priority = request.priority;
+    job.created_ms = now_ms;
+    job.memory_bytes = job_memory_bytes(request);
+    job.name = request.scene.name;
+    job.labels = request.labels;
+    job.scene_digest = request.scene_digest;
+    job.digest = request.digest;
+    job.request = request.canonical;
+    return job;
+}
+
+Result<void> check_memory(std::uint64_t needed, std::uint64_t limit) {
+    if (needed <= limit) return {};
+    Error error{ErrorKind::InvalidInput,
+                "the job needs more memory than this server gives to one",
+                {},
+                "over-limit"};
+    error.problems.push_back({"", "over-limit", "film and geometry are estimated to be too large",
+                              std::to_string(needed) + " bytes",
+                              "at most " + std::to_string(limit) + " bytes"});
+    return tl::unexpected(std::move(error));
+}
+
+/// An error as one sentence for the record of a job: the message and the first problem.
+std::string sentence(const Error& error) {
+    if (error.problems.empty()) return error.message;
+    const Problem& first = error.problems.front();
+    return error.message + " (" + first.pointer + ": " + first.detail + ")";
+}
+
+/// Counts a thread as busy with something of which only a few may run.
+class Turn {
+  public:
+    explicit Turn(std::atomic<int>& count) : count_(count), number_(++count) {}
+    ~Turn() { --count_; }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+    [[nodiscard]] bool is_within(int limit) const { return number_ <= limit; }
+
+  private:
+    std::atomic<int>& count_;
+    const int number_;
+};
+
+}  // namespace
+
+JobManager::JobManager(JobStore& jobs, ResultStore& results, const api::AssetSource& assets,
+                       const JobManagerOptions& options)
+    : jobs_(jobs),
+      results_(results),
+      assets_(assets),
+      options_(options),
+      scenes_(options.scene_cache_bytes),
+      scheduler_(options.scheduler) {}
+
+JobManager::~JobManager() { stop(); }
+
+Result<void> JobManager::start() {
+    auto unfinished = jobs_.unfinished();
+    if (!unfinished) return tl::unexpected(unfinished.error());
+    for (const Job& job : *unfinished) {
+        if (job.state == JobState::Running) {
+            const auto queued = change(job.id, {JobState::Running, JobState::Queued, unix_ms()});
+            if (!queued) return tl::unexpected(queued.error());
+        }
+        take_up(job);
+    }
+    workers_ = std::make_unique<WorkerPool>(scheduler_, options_.threads);
+    is_accepting_ = true;
+    return {};
+}
+
+void JobManager::take_up(const Job& job) {
+    auto task = make_task(job);
+    const std::lock_guard lock(live_mutex_);
+    live_[job.id] = task;
+    scheduler_.add_again(std::move(task));
+}
+
+void JobManager::refuse_new() { is_accepting_ = false; }
+
+void JobManager::stop() {
+    refuse_new();
+    if (workers_ == nullptr) return;
+    workers_->stop();
+    const std::lock_guard lock(live_mutex_);
+    for (const auto& [id, task] : live_) {
+        // Conflict: it had not begun.
+        (void)change(id, {JobState::Running, JobState::Queued, unix_ms()});
+    }
+    live_.clear();
+}
+
+std::shared_ptr<RenderTask> JobManager::make_task(const Job& job) {
+    auto prepare = [this, id = job.id]() -> Result<PreparedRender> {
+        auto text = jobs_.request(id);
+        if (!text) return tl::unexpected(text.error());
+        auto request = api::parse_job(*text, options_.documents, assets_);
+        if (!request) return fail(ErrorKind::InvalidInput, sentence(request.error()));
+        return prepare_render(*request, scenes_);
+    };
+    RenderListener& listener = *this;
+    return std::make_shared<RenderTask>(job.id, job.priority, job.memory_bytes, std::move(prepare),
+                                        listener);
+}
+
+Result<SubmitResult> JobManager::submit(const std::string& body,
+                                        const std::string& idempotency_key) {
+    if (!is_accepting_) {
+        return fail(ErrorKind::Busy, "the server is stopping", "draining");
+    }
+    const IdempotencyKey key{idempotency_key, api::sha256_hex(body)};
+    auto before = jobs_.find_key(key);
+    if (!before) return tl::unexpected(before.error());
+    if (*before) return SubmitResult{view_of(std::move((*before)->job)), true};
+
+    auto request = api::parse_job(body, options_.documents, assets_);
+    if (!request) return tl::unexpected(request.error());
+    const std::int64_t now = unix_ms();
+    const Job job = new_job(ids_.make(now), *request, now);
+    if (auto fits = check_memory(job.memory_bytes, options_.documents.memory_bytes); !fits) {
+        return tl::unexpected(fits.error());
+    }
+    bool replayed = false;
+    auto stored = admit(job, key, replayed);
+    if (!stored) return tl::unexpected(stored.error());
+    return SubmitResult{view_of(std::move(*stored)), replayed};
+}
+
+Result<Job> JobManager::admit(const Job& job, const IdempotencyKey& key, bool& replayed) {
+    const std::lock_guard lock(admission_);
+    if (scheduler_.full()) {
+        return fail(ErrorKind::Busy, "the queue is full; try again later", "queue-full");
+    }
+    auto stored = jobs_.insert(job, key);
+    if (!stored) return tl::unexpected(stored.error());
+    replayed = stored->replayed;
+    if (replayed) return std::move(stored->job);
+    log_event(LogLevel::Info, "job-state",
+              {{"job_id", job.id}, {"state", "queued"}, {"name", job.name}});
+    take_up(job);
+    workers_->wake();
+    return std::move(stored->job);
+}
+
+Result<Job> JobManager::change(const JobId& id, const Transition& transition) {
+    auto job = jobs_.transition(id, transition);
+    if (!job) return job;
+    log_event(job->state == JobState::Failed ? LogLevel::Warning : LogLevel::Info, "job-state",
+              {{"job_id", id},
+               {"state", std::string(to_string(job->state))},
+               {"seconds", api::json_number(job->progress.seconds)},
+               {"failure", job->failure}});
+    return job;
+}
+
+bool JobManager::begin(const JobId& id) noexcept {
+    try {
+        auto job = change(id, {JobState::Queued, JobState::Running, unix_ms()});
+        if (job) {
+            events_.publish(id, "snapshot", job_json(view_of(std::move(*job))));
+            return true;
+        }
+        if (job.error().kind == ErrorKind::Internal) {
+            log_event(LogLevel::Error, "job-store",
+                      {{"job_id", id}, {"error", job.error().message}});
+        }
+    } catch (const std::exception& e) {
+        log_event(LogLevel::Error, "job-begin", {{"job_id", id}, {"error", e.what()}});
+    }
+    forget(id);
+    return false;
+}
+
+void JobManager::progress(const JobId& id, const JobProgress& progress) noexcept {
+    try {
+        events_.publish(id, "progress", progress_event_json(id, progress));
+    } catch (const std::exception& e) {
+        log_event(LogLevel::Error, "job-progress", {{"job_id", id}, {"error", e.what()}});
+    }
+}
+
+void JobManager::preview(const JobId& id, const JobProgress& progress) noexcept {
+    try {
+        events_.publish(id, "preview", progress_event_json(id, progress));
+    } catch (const std::exception& e) {
+        log_event(LogLevel::Error, "job-preview", {{"job_id", id}, {"error", e.what()}});
+    }
+}
+
+void JobManager::end(const JobId& id, RenderOutcome outcome) noexcept {
+    try {
+        store_end(id, outcome);
+    } catch (const std::exception& e) {
+        log_event(LogLevel::Error, "job-end", {{"job_id", id}, {"error", e.what()}});
+    }
+    forget(id);
+}
+
+void JobManager::store_end(const JobId& id, RenderOutcome& outcome) {
+    if (!outcome.files.empty()) {
+        if (auto stored = results_.put(id, outcome.files); !stored) {
+            outcome.state = JobState::Failed;
+            outcome.failure = stored.error().message;
+        }
+    }
+    // A cancelled job was marked when the wish came; that it is cancelled or removed by now is no
+    // error.
+    if (outcome.state != JobState::Cancelled) {
+        auto job = change(
+            id, {JobState::Running, outcome.state, unix_ms(), outcome.failure, outcome.progress});
+        if (job) {
+            events_.publish(id, "done", job_json(view_of(std::move(*job))));
+        } else if (job.error().kind == ErrorKind::Internal) {
+            log_event(LogLevel::Error, "job-store",
+                      {{"job_id", id}, {"error", job.error().message}});
+        }
+    }
+    const auto kept = jobs_.find(id);
+    if (!kept && kept.error().kind == ErrorKind::NotFound) (void)results_.remove(id);
+}
+
+std::shared_ptr<RenderTask> JobManager::live(const JobId& id) const {
+    const std::lock_guard lock(live_mutex_);
+    const auto it = live_.find(id);
+    return it == live_.end() ? nullptr : it->second;
+}
+
+void JobManager::forget(const JobId& id) {
+    const std::lock_guard lock(live_mutex_);
+    live_.erase(id);
+}
+
+JobView JobManager::view_of(Job job) const {
+    JobView view{std::move(job), {}, {}};
+    const auto task = live(view.job.id);
+    if (is_final(view.job.state)) {
+        view.progress = view.job.progress;
+        for (std::string& name : results_.names(view.job.id).value_or(std::vector<std::string>{})) {
+            if (is_image(name)) view.images.push_back(std::move(name));
+        }
+    } else if (task != nullptr) {
+        view.progress = task->progress();
+        view.images = task->images();
+    }
+    return view;
+}
+
+Result<JobView> JobManager::find(const JobId& id) const {
+    auto job = jobs_.find(id);
+    if (!job) return tl::unexpected(job.error());
+    return view_of(std::move(*job));
+}
+
+Result<JobPage> JobManager::list(std::size_t limit, const std::string& cursor,
+                                 std::optional<JobState> state) const {
+    auto listing = jobs_.list(limit, cursor, state);
+    if (!listing) return tl::unexpected(listing.error());
+    JobPage page{{}, std::move(listing->next_cursor)};
+    for (Job& job : listing->jobs) page.jobs.push_back(view_of(std::move(job)));
+    return page;
+}
+
+Result<JobView> JobManager::cancel(const JobId& id) {
+    while (true) {
+        auto job = jobs_.find(id);
+        if (!job) return tl::unexpected(job.error());
+        if (is_final(job->state)) return view_of(std::move(*job));
+        const auto task = live(id);
+        JobProgress progress = task == nullptr ? JobProgress{} : task->progress();
+        progress.seconds_left.reset();
+        auto cancelled = change(id, {job->state, JobState::Cancelled, unix_ms(), {}, progress});
+        if (!cancelled) {
+            // Its state changed meanwhile: look again.
+            if (cancelled.error().kind == ErrorKind::Conflict) continue;
+            return tl::unexpected(cancelled.error());
+        }
+        if (task != nullptr && task->cancel()) {
+            scheduler_.drop(*task);
+            forget(id);
+        }
+        workers_->wake();
+        JobView view = view_of(std::move(*cancelled));
+        events_.publish(id, "done", job_json(view));
+        return view;
+    }
+}
+
+Result<void> JobManager::remove(const JobId& id) {
+    if (auto cancelled = cancel(id); !cancelled) return tl::unexpected(cancelled.error());
+    if (auto removed = jobs_.remove(id); !removed) return removed;
+    log_event(LogLevel::Info, "job-removed", {{"job_id", id}});
+    return results_.remove(id);
+}
+
+Result<ResultFile> JobManager::file(const JobId& id, const std::string& name) const {
+    const std::string media_type(media_type_of(name));
+    auto job = jobs_.find(id);
+    if (!job) return tl::unexpected(job.error());
+    if (media_type.empty()) return fail(ErrorKind::NotFound, "no such result");
+    const auto task = live(id);
+    if (is_final(job->state)) {
+        auto stored = results_.get(id, name);
+        if (stored) {
+            return ResultFile{std::move(stored->bytes), media_type, std::move(stored->digest),
+                              true};
+        }
+        if (stored.error().kind != ErrorKind::NotFound) return tl::unexpected(stored.error());
+        // Cancelled a moment ago: the newest pass is on its way to the store.
+        if (task != nullptr) return task->file(name);
+        return fail(ErrorKind::NotFound, "the job ended without this result", "no-result");
+    }
+    if (task != nullptr) return task->file(name);
+    return fail(ErrorKind::Conflict, "there is nothing of this job yet", "job-not-finished");
+}
+
+Result<std::unique_ptr<Subscription>> JobManager::subscribe(const JobId& id,
+                                                            EventListener listener) {
+    return events_.subscribe(id, std::move(listener), [&]() -> Result<JobEvents::Greeting> {
+        auto view = find(id);
+        if (!view) return tl::unexpected(view.error());
+        return JobEvents::Greeting{job_json(*view), is_final(view->job.state)};
+    });
+}
+
+Result<std::string> JobManager::validate(const std::string& body) const {
+    const Turn turn(validations_);
+    if (!turn.is_within(kValidationsAtOnce)) {
+        return fail(ErrorKind::Busy, "other scenes are being looked at; try again",
+                    "validation-busy");
+    }
+    auto request = api::parse_job(body, options_.documents, assets_);
+    if (!request) return tl::unexpected(request.error());
+    const std::uint64_t memory = job_memory_bytes(*request);
+    if (auto fits = check_memory(memory, options_.documents.memory_bytes); !fits) {
+        return tl::unexpected(fits.error());
+    }
+    auto scene = renderer::build_scene(request->scene);
+    if (!scene) return tl::unexpected(scene.error());
+    return api::JsonObject()
+        .set("valid", true)
+        .set("scene_digest", request->scene_digest)
+        .set("memory_bytes_estimate", memory)
+        .set_json("plan", api::plan_json(renderer::make_plan(**scene, request->settings)))
+        .text();
+}
+
+bool JobManager::ready() const { return is_accepting_ && jobs_.healthy(); }
+
+std::size_t JobManager::queue_length() const { return scheduler_.num_waiting(); }
+
+}  // namespace bouguer::server

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/jobs/memory_estimate.h"
+
+#include "renderer/film/film.h"
+
+namespace bouguer::server {
+namespace {
+
+// A triangle: its indices and its share of Embree's tree (with ROBUST about 100 to 180 bytes). A
+// vertex: position, normal and uv in double, and Embree's single-precision copy.
+constexpr std::uint64_t kTriangleBytes = 200;
+constexpr std::uint64_t kVertexBytes = 80;
+constexpr std::uint64_t kInstanceBytes = 1024;
+constexpr std::uint64_t kFixedBytes = 1U << 20U;
+/// The newest picture, a copy on its way out, and its files.
+constexpr std::uint64_t kPictureBytes = 4 * 3 * sizeof(float);
+
+}  // namespace
+
+std::uint64_t scene_memory_bytes(const renderer::SceneDescription& scene) {
+    std::uint64_t bytes = kFixedBytes;
+    for (const renderer::ObjectDescription& object : scene.objects) {
+        bytes += object.placed.instances.size() * kInstanceBytes;
+        const auto* mesh =
+            std::get_if<std::shared_ptr<const renderer::TriangleMesh>>(&object.placed.shape);
+        if (mesh == nullptr || *mesh == nullptr) continue;
+        bytes += (*mesh)->triangles.size() * kTriangleBytes;
+        bytes += (*mesh)->positions.size() * kVertexBytes;
+    }
+    return bytes;
+}
+
+std::uint64_t job_memory_bytes(const api::JobRequest& job) {
+    const renderer::Resolution whole = job.settings.resolution;
+    const renderer::Crop area =
+        job.settings.crop.value_or(renderer::Crop{0, 0, whole.width, whole.height});
+    const auto pixels =
+        static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
+    const auto replicates = static_cast<std::uint32_t>(job.settings.replicates);
+    return scene_memory_bytes(job.scene) + pixels * kPictureBytes +
+           renderer::Film::memory_bytes(pixels, replicates);
+}
+
+}  // namespace bouguer::server

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/jobs/result_files.h"
+
+#include <array>
+#include <chrono>
+
+#include "api/writers.h"
+
+namespace bouguer::server {
+namespace {
+
+using Writer = std::string (*)(const renderer::Report&, const JobDigests&);
+
+struct ResultName {
+    std::string_view name, media_type;
+    Writer write;  ///< null: an image
+};
+
+/// To add a file made of the report: its line here.
+constexpr std::array kResults{
+    ResultName{"image.png", "image/png", nullptr},
+    ResultName{"image.exr", "image/x-exr", nullptr},
+    ResultName{"report.json", "application/json",
+               [](const renderer::Report& report, const JobDigests& digests) {
+                   return api::report_json(report, digests.job, digests.scene);
+               }},
+    ResultName{
+        "error.json", "application/json",
+        [](const renderer::Report& report, const JobDigests&) { return api::error_json(report); }},
+    ResultName{
+        "error.csv", "text/csv",
+        [](const renderer::Report& report, const JobDigests&) { return api::error_csv(report); }},
+    ResultName{"plan.json", "application/json",
+               [](const renderer::Report& report, const JobDigests&) {
+                   return api::plan_json(report.plan);
+               }},
+    ResultName{"health.json", "application/json",
+               [](const renderer::Report& report, const JobDigests&) {
+                   return api::health_json(report.health);
+               }},
+};
+
+const ResultName* find_result(std::string_view name) {
+    for (const ResultName& result : kResults) {
+        if (result.name == name) return &result;
+    }
+    return nullptr;
+}
+
+Result<void> add_images(const renderer::Picture& picture, const renderer::OutputSettings& output,
+                        renderer::Report& report, ResultFiles& files) {
+    renderer::ImageInfo info;
+    auto png = renderer::encode_png(picture, output, &info);
+    if (!png) return tl::unexpected(png.error());
+    auto exr = renderer::encode_exr(picture, output);
+    if (!exr) return tl::unexpected(exr.error());
+    report.exposure = info.exposure;
+    report.clipped_pixels = info.clipped_pixels;
+    files["image.png"] = std::move(*png);
+    files["image.exr"] = std::move(*exr);
+    return {};
+}
+
+}  // namespace
+
+std::string_view media_type_of(std::string_view name) {
+    const ResultName* result = find_result(name);
+    return result == nullptr ? std::string_view{} : result->media_type;
+}
+
+bool is_image(std::string_view name) {
+    const ResultName* result = find_result(name);
+    return result != nullptr && result->write == nullptr;
+}
+
+std::optional<std::string> report_file(std::string_view name, const renderer::Report& report,
+                                       const JobDigests& digests) {
+    const ResultName* result = find_result(name);
+    if (result == nullptr || result->write == nullptr) return std::nullopt;
+    return result->write(report, digests);
+}
+
+Result<ResultFiles> result_files(const std::optional<renderer::Picture>& picture,
+                                 renderer::Report& report, const renderer::OutputSettings& output,
+                                 const JobDigests& digests) {
+    const auto begin = std::chrono::steady_clock::now();
+    ResultFiles files;
+    if (picture) {
+        if (auto added = add_images(*picture, output, report, files); !added) {
+            return tl::unexpected(added.error());
+        }
+    }
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    report.timings.output_s = spent.count();
+    for (const ResultName& result : kResults) {
+        if (result.write != nullptr)
+            files[std::string(result.name)] = result.write(report, digests);
+    }
+    return files;
+}
+
+}  // namespace bouguer::server

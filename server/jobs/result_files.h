@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files that come of a render: their names, media types and bytes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "renderer/render.h"
+#include "server/storage/result_store.h"
+
+namespace bouguer::server {
+
+/// "image/png" for "image.png" and so on; empty when no result has that name.
+[[nodiscard]] std::string_view media_type_of(std::string_view name);
+
+/// Whether the file of that name shows the picture, so that there is none before the first pass.
+[[nodiscard]] bool is_image(std::string_view name);
+
+/// What a report names as its origin.
+struct JobDigests {
+    std::string job, scene;  ///< "sha256-<hex>"; may be empty
+};
+
+/// One of the files made of the report alone: "report.json", "error.json", "error.csv",
+/// "plan.json", "health.json". Empty for other names.
+[[nodiscard]] std::optional<std::string> report_file(std::string_view name,
+                                                     const renderer::Report& report,
+                                                     const JobDigests& digests);
+
+/// Every file of a render that has ended; without images when there is no picture. Completes the
+/// report: timings.output_s, exposure, clipped pixels.
+[[nodiscard]] Result<ResultFiles> result_files(const std::optional<renderer::Picture>& picture,
+                                               renderer::Report& report,
+                                               const renderer::OutputSettings& output,
+                                               const JobDigests& digests);
+
+}  // namespace bouguer::server

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/jobs/scene_cache.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "api/digest.h"
+
+namespace bouguer::server {
+namespace {
+
+template <class T>
+std::string_view bytes_of(const std::vector<T>& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+std::string mesh_digest(const renderer::TriangleMesh& mesh) {
+    return api::sha256_hex(bytes_of(mesh.positions)) + api::sha256_hex(bytes_of(mesh.normals)) +
+           api::sha256_hex(bytes_of(mesh.uvs)) + api::sha256_hex(bytes_of(mesh.triangles));
+}
+
+}  // namespace
+
+std::string scene_key(const api::JobRequest& job) {
+    std::string digests = job.scene_digest;
+    for (const renderer::ObjectDescription& object : job.scene.objects) {
+        const auto* mesh =
+            std::get_if<std::shared_ptr<const renderer::TriangleMesh>>(&object.placed.shape);
+        if (mesh != nullptr && *mesh != nullptr) digests += mesh_digest(**mesh);
+    }
+    return api::sha256_hex(digests);
+}
+
+std::shared_ptr<SceneCache::Entry> SceneCache::use(const std::string& key, std::uint64_t bytes) {
+    const std::lock_guard lock(mutex_);
+    const auto known = std::find_if(entries_.begin(), entries_.end(),
+                                    [&](const auto& entry) { return entry->key == key; });
+    if (known != entries_.end()) {
+        entries_.splice(entries_.begin(), entries_, known);
+    } else {
+        entries_.push_front(std::make_shared<Entry>());
+        entries_.front()->key = key;
+        entries_.front()->bytes = bytes;
+    }
+    std::uint64_t total = 0;
+    for (auto it = entries_.begin(); it != entries_.end();) {
+        total += (*it)->bytes;
+        // The newest stays, however large: its job is about to use it.
+        it = total > max_bytes_ && it != entries_.begin() ? entries_.erase(it) : std::next(it);
+    }
+    return entries_.front();
+}
+
+Result<SceneCache::Scene> SceneCache::get(const std::string& key, std::uint64_t bytes,
+                                          const Build& build) {
+    const std::shared_ptr<Entry> entry = use(key, bytes);
+    const std::lock_guard lock(entry->building);
+    if (entry->scene == nullptr) {
+        auto built = build();
+        if (!built) return tl::unexpected(built.error());
+        entry->scene = std::move(*built);
+    }
+    return entry->scene;
+}
+
+}  // namespace bouguer::server

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The daemon's log: one line of JSON on standard error for every request and every change of state.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace bouguer::server {
+
+enum class LogLevel { Info, Warning, Error };
+
+/// Nothing below `level` is written. At the start everything is.
+void set_log_level(LogLevel level);
+
+/// Writes {"time": ..., "level": ..., "event": `event`, fields ...}. All text is escaped, so that
+/// nothing a client sends can make a second line. Thread-safe; does not throw.
+void log_event(LogLevel level, std::string_view event,
+               std::initializer_list<std::pair<std::string_view, std::string>> fields) noexcept;
+
+}  // namespace bouguer::server

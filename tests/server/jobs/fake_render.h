@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// A render of counted units, without rays: what a task does is seen without waiting for pictures.
+#pragma once
+
+#include <deque>
+#include <functional>
+
+#include "renderer/film/unit_result.h"
+#include "renderer/render.h"
+
+namespace bouguer::server {
+
+/// `passes` of `units` one-pixel units each. `on_trace` runs inside trace() and may block or throw.
+class FakeRender final : public renderer::Render {
+  public:
+    using OnTrace = std::function<void(const renderer::Unit&)>;
+
+    FakeRender(std::uint32_t passes, int units, OnTrace on_trace = {})
+        : passes_(passes), units_(units), on_trace_(std::move(on_trace)) {
+        begin_pass();
+    }
+
+    std::optional<renderer::Unit> next_unit() override {
+        if (waiting_.empty()) return std::nullopt;
+        const renderer::Unit unit = waiting_.front();
+        waiting_.pop_front();
+        return unit;
+    }
+    std::unique_ptr<renderer::UnitResult> trace(const renderer::Unit& unit) const override {
+        if (on_trace_) on_trace_(unit);
+        return std::make_unique<renderer::UnitResult>(unit, 2);
+    }
+    bool merge(std::unique_ptr<renderer::UnitResult>, double seconds) override {
+        if (--unmerged_ > 0) return false;
+        ++pass_;
+        renderer::ErrorPoint point;
+        point.seconds = seconds;
+        point.samples = pass_;
+        point.relative_rmse = renderer::Estimate{1.0 / pass_, 0.5 / pass_, 2.0 / pass_};
+        curve_.push_back(point);
+        if (!finished()) begin_pass();
+        return true;
+    }
+    void give_back(const renderer::Unit& unit) override { waiting_.push_front(unit); }
+    bool finished() const override { return pass_ == passes_; }
+    std::uint32_t current_pass() const override { return pass_; }
+    bool has_units() const override { return !waiting_.empty(); }
+    double progress(double) const override { return static_cast<double>(pass_) / passes_; }
+    std::uint32_t samples_done() const override { return pass_; }
+    std::uint64_t rays() const override { return 10UL * pass_; }
+    renderer::Report report() const override {
+        renderer::Report report;
+        report.error = curve_;
+        if (finished()) report.stopped_by = "samples";
+        return report;
+    }
+    std::optional<renderer::Picture> picture() const override {
+        if (pass_ == 0) return std::nullopt;
+        return renderer::Picture{1, 1, {0.1F * static_cast<float>(pass_), 0.1F, 0.1F}};
+    }
+
+  private:
+    void begin_pass() {
+        for (int i = 0; i < units_; ++i) waiting_.push_back({pass_, i, 0, 1, 1, pass_, 1});
+        unmerged_ = units_;
+    }
+
+    const std::uint32_t passes_;
+    const int units_;
+    const OnTrace on_trace_;
+    std::deque<renderer::Unit> waiting_;
+    int unmerged_ = 0;
+    std::uint32_t pass_ = 0;
+    std::vector<renderer::ErrorPoint> curve_;
+};
+
+}  // namespace bouguer::server

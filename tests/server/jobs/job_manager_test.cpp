@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/jobs/job_manager.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "server/log.h"
+#include "server/storage/memory_job_store.h"
+#include "server/storage/memory_result_store.h"
+#include "tests/server/jobs/small_job.h"
+
+namespace bouguer::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+class NoAssets final : public api::AssetSource {
+  public:
+    Result<std::shared_ptr<const renderer::TriangleMesh>> mesh(std::string_view) const override {
+        return fail(ErrorKind::NotFound, "there are no files here");
+    }
+};
+
+class JobManagerTest : public testing::Test {
+  protected:
+    JobManagerTest() { set_log_level(LogLevel::Error); }
+
+    std::unique_ptr<JobManager> start(JobManagerOptions options = {.threads = 2}) {
+        auto manager = std::make_unique<JobManager>(jobs_, results_, assets_, options);
+        EXPECT_TRUE(manager->start());
+        return manager;
+    }
+    static JobId submit(JobManager& manager, const std::string& body) {
+        auto submitted = manager.submit(body, "");
+        EXPECT_TRUE(submitted) << submitted.error().message;
+        return submitted ? submitted->view.job.id : "";
+    }
+    /// Waits until `condition`; fails the test after 20 s.
+    template <class Condition>
+    static void wait_until(Condition condition) {
+        for (int i = 0; i < 20'000; ++i) {
+            if (condition()) return;
+            std::this_thread::sleep_for(1ms);
+        }
+        FAIL() << "it did not happen";
+    }
+    static JobState state_of(const JobManager& manager, const JobId& id) {
+        return manager.find(id)->job.state;
+    }
+    static void wait_for_end(const JobManager& manager, const JobId& id) {
+        wait_until([&] { return is_final(state_of(manager, id)); });
+    }
+    static void wait_for_picture(const JobManager& manager, const JobId& id) {
+        wait_until([&] { return !manager.find(id)->images.empty(); });
+    }
+
+    MemoryJobStore jobs_;
+    MemoryResultStore results_;
+    NoAssets assets_;
+};
+
+TEST_F(JobManagerTest, RendersWhatIsSubmitted) {
+    const auto manager = start();
+    const auto submitted = manager->submit(small_job(4, R"(,"labels":{"a":"b"})"), "");
+    ASSERT_TRUE(submitted) << submitted.error().message;
+    EXPECT_FALSE(submitted->replayed);
+    EXPECT_EQ(submitted->view.job.state, JobState::Queued);
+    EXPECT_EQ(submitted->view.job.name, "ball");
+    const JobId id = submitted->view.job.id;
+    wait_for_end(*manager, id);
+    const auto view = manager->find(id);
+    ASSERT_TRUE(view);
+    EXPECT_EQ(view->job.state, JobState::Done) << view->job.failure;
+    EXPECT_EQ(view->job.labels.at("a"), "b");
+    EXPECT_EQ(view->images, (std::vector<std::string>{"image.exr", "image.png"}));
+    EXPECT_EQ(view->progress.samples, 4U);
+    EXPECT_EQ(view->progress.fraction, 1.0);
+    for (const char* name : {"image.png", "image.exr", "report.json", "error.json", "error.csv",
+                             "plan.json", "health.json"}) {
+        const auto file = manager->file(id, name);
+        ASSERT_TRUE(file) << name;
+        EXPECT_TRUE(file->final) << name;
+        EXPECT_FALSE(file->bytes.empty()) << name;
+        EXPECT_EQ(file->digest.size(), 64U) << name;
+    }
+    EXPECT_EQ(manager->file(id, "passwd").error().kind, ErrorKind::NotFound);
+}
+
+TEST_F(JobManagerTest, GivesTheSameBytesForAnyNumberOfThreads) {
+    std::string exr;
+    for (const int threads : {1, 2, 7}) {
+        const auto manager = start({.threads = threads});
+        const JobId id = submit(*manager, small_job(8, "", "[70,50]"));
+        wait_for_end(*manager, id);
+        const auto file = manager->file(id, "image.exr");
+        ASSERT_TRUE(file);
+        if (exr.empty()) exr = file->bytes;
+        EXPECT_EQ(file->bytes, exr) << threads << " threads";
+    }
+}
+
+TEST_F(JobManagerTest, RefusesBadDocumentsAndStoresNothing) {
+    const auto manager = start();
+    EXPECT_EQ(manager->submit("{", "").error().kind, ErrorKind::Malformed);
+    const auto refused = manager->submit(small_job(4, R"(,"colour":1)"), "");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::InvalidInput);
+    EXPECT_EQ(refused.error().problems.at(0).pointer, "/colour");
+    EXPECT_TRUE(manager->list(10, "", std::nullopt)->jobs.empty());
+}
+
+TEST_F(JobManagerTest, RefusesWhatNeedsTooMuchMemory) {
+    JobManagerOptions options{.threads = 1};
+    options.documents.memory_bytes = 100'000'000;
+    const auto manager = start(options);
+    const auto refused = manager->submit(small_job(1, "", "[1000,1000]"), "");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, "over-limit");
+    EXPECT_TRUE(manager->submit(small_job(1), ""));
+}
+
+TEST_F(JobManagerTest, ReplaysAnIdempotencyKey) {
+    const auto manager = start();
+    const auto first = manager->submit(small_job(), "key");
+    const auto again = manager->submit(small_job(), "key");
+    ASSERT_TRUE(first && again);
+    EXPECT_TRUE(again->replayed);
+    EXPECT_EQ(again->view.job.id, first->view.job.id);
+    EXPECT_EQ(manager->submit(small_job(5), "key").error().code, "idempotency-key-reused");
+    EXPECT_EQ(manager->list(10, "", std::nullopt)->jobs.size(), 1U);
+}
+
+TEST_F(JobManagerTest, IsBusyWhenTheQueueIsFull) {
+    const auto manager = start({.threads = 1, .scheduler = {.tasks = 2}});
+    const JobId a = submit(*manager, endless_job());
+    const JobId b = submit(*manager, endless_job());
+    const auto refused = manager->submit(small_job(), "");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::Busy);
+    EXPECT_EQ(manager->list(10, "", std::nullopt)->jobs.size(), 2U) << "it must not be stored";
+    ASSERT_TRUE(manager->cancel(a));
+    ASSERT_TRUE(manager->cancel(b));
+    wait_until([&] { return manager->submit(small_job(), "").has_value(); });
+}
+
+TEST_F(JobManagerTest, ANewJobShowsSomethingWhileALongOneRuns) {
+    const auto manager = start({.threads = 1});
+    const JobId long_job = submit(*manager, endless_job(R"(,"priority":100)"));
+    wait_for_picture(*manager, long_job);
+    const JobId late = submit(*manager, endless_job(R"(,"priority":-100)"));
+    wait_for_picture(*manager, late);
+    EXPECT_EQ(state_of(*manager, long_job), JobState::Running);
+}
+
+TEST_F(JobManagerTest, CancelsARunningJobWithinASecond) {
+    const auto manager = start();
+    const JobId id = submit(*manager, endless_job());
+    wait_for_picture(*manager, id);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto cancelled = manager->cancel(id);
+    ASSERT_TRUE(cancelled);
+    EXPECT_EQ(cancelled->job.state, JobState::Cancelled);
+    wait_until([&] {
+        const auto file = manager->file(id, "image.png");
+        return file && file->final;
+    });
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 1s);
+    const auto again = manager->cancel(id);
+    ASSERT_TRUE(again) << "cancelling is idempotent";
+    EXPECT_EQ(again->job.state, JobState::Cancelled);
+    EXPECT_GT(again->progress.samples, 0U);
+}
+
+TEST_F(JobManagerTest, CancelsAQueuedJob) {
+    const auto manager = start({.threads = 1, .scheduler = {.active_tasks = 1}});
+    const JobId running = submit(*manager, endless_job());
+    wait_for_picture(*manager, running);
+    const JobId queued = submit(*manager, endless_job());
+    EXPECT_EQ(manager->queue_length(), 1U);
+    EXPECT_EQ(manager->file(queued, "image.png").error().code, "job-not-finished");
+    ASSERT_TRUE(manager->cancel(queued));
+    EXPECT_EQ(state_of(*manager, queued), JobState::Cancelled);
+    EXPECT_EQ(manager->queue_length(), 0U);
+    EXPECT_EQ(manager->file(queued, "image.png").error().code, "no-result");
+    EXPECT_EQ(state_of(*manager, running), JobState::Running);
+}
+
+TEST_F(JobManagerTest, AnEndedJobStaysAsItIsWhenCancelled) {
+    const auto manager = start();
+    const JobId id = submit(*manager, small_job());
+    wait_for_end(*manager, id);
+    EXPECT_EQ(manager->cancel(id)->job.state, JobState::Done);
+}
+
+TEST_F(JobManagerTest, RemovesAJobWithItsFiles) {
+    const auto manager = start();
+    const JobId done = submit(*manager, small_job());
+    wait_for_end(*manager, done);
+    const JobId running = submit(*manager, endless_job());
+    wait_for_picture(*manager, running);
+    for (const JobId& id : {done, running}) {
+        ASSERT_TRUE(manager->remove(id));
+        EXPECT_EQ(manager->find(id).error().kind, ErrorKind::NotFound);
+        EXPECT_EQ(manager->remove(id).error().kind, ErrorKind::NotFound);
+    }
+    manager->stop();
+    EXPECT_TRUE(results_.names(done)->empty());
+    EXPECT_TRUE(results_.names(running)->empty()) << "what a worker was writing must go too";
+}
+
+TEST_F(JobManagerTest, UnknownJobsAreNotFound) {
+    const auto manager = start();
+    const JobId id = "01890a5d-ac96-774b-bcce-b302099a8057";
+    EXPECT_EQ(manager->find(id).error().kind, ErrorKind::NotFound);
+    EXPECT_EQ(manager->cancel(id).error().kind, ErrorKind::NotFound);
+    EXPECT_EQ(manager->file(id, "image.png").error().kind, ErrorKind::NotFound);
+    EXPECT_EQ(manager->subscribe(id, [](const JobEvent&) {}).error().kind, ErrorKind::NotFound);
+}
+
+TEST_F(JobManagerTest, TellsTheWholeStoryOfAJob) {
+    const auto manager = start();
+    const JobId id = submit(*manager, endless_job());
+    std::mutex mutex;
+    std::vector<JobEvent> events;
+    auto subscription = manager->subscribe(id, [&](const JobEvent& event) {
+        const std::lock_guard lock(mutex);
+        events.push_back(event);
+    });
+    ASSERT_TRUE(subscription);
+    wait_until([&] {
+        const std::lock_guard lock(mutex);
+        const auto has = [&](const char* type) {
+            return std::any_of(events.begin(), events.end(),
+                               [&](const JobEvent& event) { return event.type == type; });
+        };
+        return has("preview") && has("progress");
+    });
+    ASSERT_TRUE(manager->cancel(id));
+    wait_until([&] {
+        const std::lock_guard lock(mutex);
+        return events.back().type == "done";
+    });
+    EXPECT_EQ(events.front().type, "snapshot");
+    EXPECT_NE(events.back().data.find(R"("state":"cancelled")"), std::string::npos);
+    EXPECT_EQ(events.back().data.find('\n'), std::string::npos);
+    // Whoever comes late is told how it ended.
+    std::string types;
+    const auto late =
+        manager->subscribe(id, [&](const JobEvent& event) { types += event.type + " "; });
+    ASSERT_TRUE(late);
+    EXPECT_EQ(types, "snapshot done ");
+}
+
+TEST_F(JobManagerTest, PutsRunningJobsBackIntoTheQueueWhenItStops) {
+    const auto manager = start();
+    const JobId id = submit(*manager, endless_job());
+    wait_for_picture(*manager, id);
+    manager->stop();
+    EXPECT_EQ(jobs_.find(id)->state, JobState::Queued);
+    EXPECT_FALSE(manager->ready());
+    EXPECT_EQ(manager->submit(small_job(), "").error().code, "draining");
+}
+
+// What a crash leaves behind: a job that is "running" in the store and nobody who runs it.
+TEST_F(JobManagerTest, ARestartGivesTheSameBytesAsAnUninterruptedRun) {
+    const std::string body = small_job(64, "", "[70,50]");
+    JobId whole;
+    {
+        const auto manager = start();
+        whole = submit(*manager, body);
+        wait_for_end(*manager, whole);
+    }
+    JobId interrupted;
+    {
+        const auto manager = start({.threads = 1});
+        interrupted = submit(*manager, body);
+        wait_for_picture(*manager, interrupted);
+        manager->stop();
+    }
+    ASSERT_EQ(jobs_.find(interrupted)->state, JobState::Queued);
+    ASSERT_TRUE(jobs_.transition(interrupted, {JobState::Queued, JobState::Running, 1}));
+    const auto manager = start();
+    wait_for_end(*manager, interrupted);
+    EXPECT_EQ(state_of(*manager, interrupted), JobState::Done);
+    EXPECT_EQ(manager->file(interrupted, "image.exr")->bytes,
+              manager->file(whole, "image.exr")->bytes);
+    EXPECT_EQ(manager->file(interrupted, "image.png")->bytes,
+              manager->file(whole, "image.png")->bytes);
+}
+
+TEST_F(JobManagerTest, AJobThatCannotBeTakenUpAgainFailsAlone) {
+    Job broken;
+    broken.id = "01890a5d-ac96-774b-bcce-b302099a8057";
+    broken.request = "{}";
+    ASSERT_TRUE(jobs_.insert(broken, {}));
+    const auto manager = start();
+    const JobId good = submit(*manager, small_job());
+    wait_for_end(*manager, broken.id);
+    wait_for_end(*manager, good);
+    EXPECT_EQ(state_of(*manager, broken.id), JobState::Failed);
+    EXPECT_NE(manager->find(broken.id)->job.failure, "");
+    EXPECT_EQ(state_of(*manager, good), JobState::Done);
+}
+
+TEST_F(JobManagerTest, ValidatesWithoutRendering) {
+    const auto manager = start();
+    const auto good = manager->validate(small_job());
+    ASSERT_TRUE(good);
+    EXPECT_NE(good->find(R"("valid":true)"), std::string::npos);
+    EXPECT_NE(good->find(R"("plan":{)"), std::string::npos);
+    EXPECT_EQ(manager->validate("[]").error().kind, ErrorKind::InvalidInput);
+    EXPECT_TRUE(manager->list(10, "", std::nullopt)->jobs.empty());
+}
+
+/// Cannot keep anything.
+class FullDisk final : public ResultStore {
+  public:
+    Result<void> put(const JobId&, const ResultFiles&) override {
+        return fail(ErrorKind::Internal, "no space left");
+    }
+    Result<StoredFile> get(const JobId&, const std::string&) const override {
+        return fail(ErrorKind::NotFound, "");
+    }
+    Result<std::vector<std::string>> names(const JobId&) const override {
+        return std::vector<std::string>{};
+    }
+    Result<void> remove(const JobId&) override { return {}; }
+};
+
+TEST_F(JobManagerTest, AJobWhoseResultsCannotBeStoredFails) {
+    FullDisk full;
+    JobManager manager(jobs_, full, assets_, {.threads = 1});
+    ASSERT_TRUE(manager.start());
+    const JobId id = submit(manager, small_job());
+    wait_for_end(manager, id);
+    EXPECT_EQ(state_of(manager, id), JobState::Failed);
+    EXPECT_EQ(manager.find(id)->job.failure, "no space left");
+}
+
+}  // namespace
+}  // namespace bouguer::server
