@@ -163,9 +163,10 @@ std::optional<renderer::Shape> read_mesh_shape(JsonReader& reader, const ReadCon
     const Limits& limits = context.limits;
     const auto positions_at = reader.require("positions");
     const auto triangles_at = reader.require("triangles");
-    auto positions = positions_at ? read_rows<Vec3>(*positions_at, 3, limits.mesh_vertices,
-                                                    "positions", make_vec3)
-                                  : std::nullopt;
+    std::optional<std::vector<Vec3>> positions;
+    if (positions_at) {
+        positions = read_rows<Vec3>(*positions_at, 3, limits.mesh_vertices, "positions", make_vec3);
+    }
     bool is_good = true;
     TriangleMesh mesh;
     mesh.normals = read_per_vertex<Vec3>(reader.find("normals"), 3, positions, is_good, make_vec3);
@@ -175,8 +176,8 @@ std::optional<renderer::Shape> read_mesh_shape(JsonReader& reader, const ReadCon
                                                    positions ? positions->size() : SIZE_MAX)
                                   : std::nullopt;
     if (!positions || !triangles || !is_good) return std::nullopt;
-    mesh.positions = *std::move(positions);
-    mesh.triangles = *std::move(triangles);
+    mesh.positions = std::move(*positions);
+    mesh.triangles = std::move(*triangles);
     return accept(*triangles_at, renderer::checked_mesh(std::move(mesh)));
 }
 
