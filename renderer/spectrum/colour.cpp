@@ -4,16 +4,15 @@
 #include <cmath>
 
 #include "renderer/spectrum/quadrature.h"
-#include "renderer/spectrum/spectral_table.h"
 
 namespace bouguer::renderer {
 namespace {
 
 /// Sum over the nodes of weight x value(lambda).
 template <class Value>
-Xyz integrate(double step_nm, Value value) {
+Xyz integrate(double step_nm, const Observer& observer, Value value) {
     Xyz sum;
-    for (const QuadratureNode& node : quadrature(step_nm))
+    for (const QuadratureNode& node : quadrature(step_nm, observer))
         sum += node.weight * value(node.lambda_nm);
     return sum;
 }
@@ -56,20 +55,9 @@ Matrix3 inverse(const Matrix3& m) {
     return result;
 }
 
-std::array<double, 3> cie1931(double lambda_nm) {
-    static const SpectralTable table = read_table("observer_cie_1931_2");
-    const double position = lambda_nm - table.wavelengths_nm.front();
-    const double last = static_cast<double>(table.wavelengths_nm.size() - 1);
-    if (!(position >= 0 && position <= last)) return {};
-    const auto i = static_cast<std::size_t>(std::min(std::floor(position), last - 1));
-    const double t = position - static_cast<double>(i);
-    std::array<double, 3> value{};
-    for (std::size_t c = 0; c < 3; ++c)
-        value[c] = (1 - t) * table.columns[c].values[i] + t * table.columns[c].values[i + 1];
-    return value;
-}
+std::array<double, 3> cie1931(double lambda_nm) { return standard_observer().at(lambda_nm); }
 
-std::vector<QuadratureNode> quadrature(double step_nm) {
+std::vector<QuadratureNode> quadrature(double step_nm, const Observer& observer) {
     // The last node may miss 830 by the rounding of the step only.
     const auto intervals =
         static_cast<std::size_t>((kLambdaMax_nm - kLambdaMin_nm) / step_nm + 1e-9);
@@ -77,21 +65,22 @@ std::vector<QuadratureNode> quadrature(double step_nm) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         nodes[i].lambda_nm =
             std::min(kLambdaMin_nm + static_cast<double>(i) * step_nm, kLambdaMax_nm);
-        const auto [x, y, z] = cie1931(nodes[i].lambda_nm);
-        nodes[i].weight = Xyz{x, y, z} * (step_nm / kYIntegral_nm);
+        const auto [x, y, z] = observer.at(nodes[i].lambda_nm);
+        nodes[i].weight = Xyz{x, y, z} * (step_nm / observer.y_integral_nm());
     }
     return nodes;
 }
 
-Xyz xyz_of(const Spectrum& radiance, double step_nm) {
-    return integrate(step_nm, [&](double lambda_nm) { return radiance.at(lambda_nm); });
+Xyz xyz_of(const Spectrum& radiance, double step_nm, const Observer& observer) {
+    return integrate(step_nm, observer, [&](double lambda_nm) { return radiance.at(lambda_nm); });
 }
 
-Xyz xyz_of_reflectance(const Spectrum& reflectance, const Spectrum& illuminant, double step_nm) {
-    const Xyz colour = integrate(step_nm, [&](double lambda_nm) {
+Xyz xyz_of_reflectance(const Spectrum& reflectance, const Spectrum& illuminant, double step_nm,
+                       const Observer& observer) {
+    const Xyz colour = integrate(step_nm, observer, [&](double lambda_nm) {
         return reflectance.at(lambda_nm) * illuminant.at(lambda_nm);
     });
-    return colour * (1 / xyz_of(illuminant, step_nm).y);
+    return colour * (1 / xyz_of(illuminant, step_nm, observer).y);
 }
 
 Matrix3 rgb_to_xyz(Chromaticity red, Chromaticity green, Chromaticity blue, Chromaticity white) {

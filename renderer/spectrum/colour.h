@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "renderer/spectrum/observer.h"
 #include "renderer/spectrum/spectrum.h"
 
 namespace bouguer::renderer {
@@ -45,9 +46,11 @@ Matrix3 inverse(const Matrix3& m);
 std::array<double, 3> cie1931(double lambda_nm);
 
 /// XYZ of a spectral radiance by the rectangle rule on 360, 360 + step, ... nm.
-Xyz xyz_of(const Spectrum& radiance, double step_nm = 1);
+Xyz xyz_of(const Spectrum& radiance, double step_nm = 1,
+           const Observer& observer = standard_observer());
 /// XYZ of a reflectance (or transmittance) under an illuminant, relative to that illuminant's Y.
-Xyz xyz_of_reflectance(const Spectrum& reflectance, const Spectrum& illuminant, double step_nm = 1);
+Xyz xyz_of_reflectance(const Spectrum& reflectance, const Spectrum& illuminant, double step_nm = 1,
+                       const Observer& observer = standard_observer());
 
 /// The matrix of a display: its primaries' and its white's chromaticities; RGB (1, 1, 1) has Y = 1.
 Matrix3 rgb_to_xyz(Chromaticity red, Chromaticity green, Chromaticity blue, Chromaticity white);

@@ -14,8 +14,9 @@ struct QuadratureNode {
     Xyz weight;
 };
 
-/// Rectangle rule on 360, 360 + step, ... <= 830 nm for the CIE 1931 observer: the weight is
-/// colour-matching function x step / kYIntegral_nm. `step_nm` > 0; at 1 nm the Y weights sum to 1.
-std::vector<QuadratureNode> quadrature(double step_nm);
+/// Rectangle rule on 360, 360 + step, ... <= 830 nm: the weight is colour-matching function x step
+/// / the observer's y_integral_nm(). `step_nm` > 0; at 1 nm the Y weights sum to 1.
+std::vector<QuadratureNode> quadrature(double step_nm,
+                                       const Observer& observer = standard_observer());
 
 }  // namespace bouguer::renderer

@@ -43,11 +43,16 @@ Result<SpectrumPtr> srgb_spectrum(double r, double g, double b,
 /// factor * base.
 SpectrumPtr scaled_spectrum(SpectrumPtr base, double factor);
 
-/// A spectrum of the built-in library ("D65", "A", "E", ...); null when there is none of that name.
+/// A spectrum of the built-in library ("D65", "F11", "ColorChecker-red", "IVG530", ...); null when
+/// there is none of that name. Indices of refraction: refractive_index.h.
 SpectrumPtr library_spectrum(std::string_view name);
 
 struct LibraryEntry {
-    std::string_view name, kind, description, source;
+    std::string_view name;
+    /// "illuminant" (1 at 560 nm), "reflectance", "transmittance" (internal), "index" or "metal".
+    std::string_view kind;
+    std::string_view description, source;
+    double thickness_mm = 0;  ///< that an internal transmittance is for; 0: not one
 };
 /// Everything library_spectrum() knows, sorted by name.
 const std::vector<LibraryEntry>& library_entries();

@@ -22,10 +22,10 @@ std::vector<float> to_floats(const std::array<double, 3>& rgb) {
 
 }  // namespace
 
-SpectralBasis SpectralBasis::wavelengths(double step_nm) {
+SpectralBasis SpectralBasis::wavelengths(double step_nm, const Observer& observer) {
     SpectralBasis basis;
     basis.name_ = "wavelengths";
-    for (const QuadratureNode& node : quadrature(step_nm)) {
+    for (const QuadratureNode& node : quadrature(step_nm, observer)) {
         basis.lambda_nm_.push_back(node.lambda_nm);
         basis.weights_.push_back({node.weight.x, node.weight.y, node.weight.z});
     }

@@ -16,7 +16,8 @@ namespace bouguer::renderer {
 class SpectralBasis {
   public:
     /// Rectangle rule on 360, 360 + step, ... <= 830 nm. `step_nm` in [1, 100].
-    static SpectralBasis wavelengths(double step_nm);
+    static SpectralBasis wavelengths(double step_nm,
+                                     const Observer& observer = standard_observer());
     /// The seed's baseline: linear Rec.709 triples. A reflectance becomes its colour under D65, a
     /// lamp its own colour; negative components become 0.
     static SpectralBasis rgb();

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "renderer/spectrum/data_table.h"
 #include "renderer/spectrum/sampled_spectrum.h"
 #include "renderer/spectrum/spectra.h"
-#include "renderer/spectrum/spectral_table.h"
 
 namespace bouguer::renderer {
 namespace {
@@ -16,12 +16,18 @@ struct LibraryTable {
     std::string_view kind;
     /// Where the columns are scaled to 1; 0: they stay as published.
     double unit_at_nm;
+    double thickness_mm = 0;  ///< that a transmittance is for
 };
 
 // To add spectra to the library, add columns to a table, or a table and its line here.
 constexpr std::array kTables{
     LibraryTable{"illuminants_a_e", "illuminant", 560},
     LibraryTable{"illuminants_daylight", "illuminant", 560},
+    LibraryTable{"illuminants_fluorescent", "illuminant", 560},
+    LibraryTable{"illuminants_led", "illuminant", 560},
+    LibraryTable{"reflectances_colorchecker", "reflectance", 0},
+    LibraryTable{"filters_1mm", "transmittance", 0, 1},
+    LibraryTable{"filters_10mm", "transmittance", 0, 10},
 };
 
 struct Library {
@@ -29,7 +35,7 @@ struct Library {
     std::vector<SpectrumPtr> spectra;   ///< in the order of entries
 };
 
-SpectrumPtr spectrum_of(const SpectralTable& table, const TableColumn& column, double unit_at_nm) {
+SpectrumPtr spectrum_of(const DataTable& table, const TableColumn& column, double unit_at_nm) {
     auto spectrum = std::make_shared<SampledSpectrum>(table.wavelengths_nm, column.values);
     if (unit_at_nm == 0) return spectrum;
     std::vector<double> values = column.values;
@@ -40,11 +46,11 @@ SpectrumPtr spectrum_of(const SpectralTable& table, const TableColumn& column, d
 Library make_library() {
     std::vector<std::pair<LibraryEntry, SpectrumPtr>> all;
     for (const LibraryTable& listed : kTables) {
-        const SpectralTable table = read_table(listed.name);
+        const DataTable table = read_table(listed.name);
         for (const TableColumn& column : table.columns)
-            all.emplace_back(
-                LibraryEntry{column.name, listed.kind, column.description, column.source},
-                spectrum_of(table, column, listed.unit_at_nm));
+            all.emplace_back(LibraryEntry{column.name, listed.kind, column.description,
+                                          column.source, listed.thickness_mm},
+                             spectrum_of(table, column, listed.unit_at_nm));
     }
     std::sort(all.begin(), all.end(),
               [](const auto& a, const auto& b) { return a.first.name < b.first.name; });

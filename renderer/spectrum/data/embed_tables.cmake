@@ -7,7 +7,7 @@ foreach(file IN LISTS FILES)
     string(APPEND entries "    {\"${name}\", R\"csv(${text})csv\"},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "// Generated from renderer/spectrum/data.
-#include \"renderer/spectrum/spectral_table.h\"
+#include \"renderer/spectrum/data_table.h\"
 
 namespace bouguer::renderer {
 namespace {

@@ -22,7 +22,7 @@ struct TableColumn {
 };
 
 /// Columns over a common list of wavelengths. The texts point into the program: they never end.
-struct SpectralTable {
+struct DataTable {
     std::vector<double> wavelengths_nm;  ///< increasing
     std::vector<TableColumn> columns;
     /// The column of that name; null when there is none.
@@ -32,9 +32,17 @@ struct SpectralTable {
 /// Reads the form that data/make_data.py writes: "# name | description | source" lines, a heading,
 /// rows of numbers. The tables are part of the program: a fault in one is a bug, found by the
 /// tests.
-SpectralTable parse_table(std::string_view text);
+DataTable parse_table(std::string_view text);
+
+/// The text of the embedded file of that name, which must exist.
+std::string_view embedded_text(std::string_view name);
 
 /// Reads the embedded table of that name, which must exist. Thread-safe.
-SpectralTable read_table(std::string_view name);
+DataTable read_table(std::string_view name);
+
+/// Cuts the text before the first `separator` off `text` and returns it without spaces around.
+std::string_view next_field(std::string_view& text, char separator);
+/// The number that `text`, which is one, stands for.
+double to_number(std::string_view text);
 
 }  // namespace bouguer::renderer

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/spectrum/spectral_table.h"
+#include "renderer/spectrum/data_table.h"
 
 #include <algorithm>
 #include <cassert>
 #include <charconv>
 
 namespace bouguer::renderer {
-namespace {
-
-/// Cuts the text before the first `separator` off `text` and returns it without spaces around.
 std::string_view next_field(std::string_view& text, char separator) {
     const std::size_t end = std::min(text.find(separator), text.size());
     std::string_view field = text.substr(0, end);
@@ -26,16 +23,14 @@ double to_number(std::string_view text) {
     return value;
 }
 
-}  // namespace
-
-const TableColumn* SpectralTable::find(std::string_view name) const {
+const TableColumn* DataTable::find(std::string_view name) const {
     const auto it = std::find_if(columns.begin(), columns.end(),
                                  [&](const TableColumn& c) { return c.name == name; });
     return it == columns.end() ? nullptr : &*it;
 }
 
-SpectralTable parse_table(std::string_view text) {
-    SpectralTable table;
+DataTable parse_table(std::string_view text) {
+    DataTable table;
     while (!text.empty()) {
         std::string_view line = next_field(text, '\n');
         if (line.starts_with('#')) {
@@ -53,11 +48,13 @@ SpectralTable parse_table(std::string_view text) {
     return table;
 }
 
-SpectralTable read_table(std::string_view name) {
+std::string_view embedded_text(std::string_view name) {
     for (const EmbeddedTable& table : embedded_tables())
-        if (table.name == name) return parse_table(table.text);
+        if (table.name == name) return table.text;
     assert(false && "no such table");
     return {};
 }
+
+DataTable read_table(std::string_view name) { return parse_table(embedded_text(name)); }
 
 }  // namespace bouguer::renderer

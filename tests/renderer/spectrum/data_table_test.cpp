@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/spectrum/spectral_table.h"
+#include "renderer/spectrum/data_table.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 namespace bouguer::renderer {
 namespace {
 
-TEST(SpectralTable, ReadsColumnsWithTheirSources) {
-    const SpectralTable t = parse_table(
+TEST(DataTable, ReadsColumnsWithTheirSources) {
+    const DataTable t = parse_table(
         "# Made by hand.\n# a | first | book\n# b-2 | second, of two | page 3\n"
         "wavelength_nm,a,b-2\n400,1,2.5e-3\n405.5,-3,4\n");
     EXPECT_EQ(t.wavelengths_nm, (std::vector{400.0, 405.5}));
@@ -23,10 +23,11 @@ TEST(SpectralTable, ReadsColumnsWithTheirSources) {
 }
 
 // What parse_table() takes for granted of the files that are built in.
-TEST(SpectralTable, EveryEmbeddedTableIsWhole) {
+TEST(DataTable, EveryEmbeddedTableIsWhole) {
     EXPECT_FALSE(embedded_tables().empty());
     for (const EmbeddedTable& embedded : embedded_tables()) {
-        const SpectralTable t = parse_table(embedded.text);
+        if (embedded.name == "refractive_indices") continue;  // another form
+        const DataTable t = parse_table(embedded.text);
         EXPECT_GE(t.wavelengths_nm.size(), 2U) << embedded.name;
         EXPECT_FALSE(t.columns.empty()) << embedded.name;
         EXPECT_TRUE(std::is_sorted(t.wavelengths_nm.begin(), t.wavelengths_nm.end()));
