@@ -14,7 +14,17 @@ std::size_t SpectralTable::add(const std::vector<float>& values) {
     return number;
 }
 
-Float8 exp_nonpositive(Float8 x) {
+namespace {
+
+// A function with this attribute exists once for every instruction set named, and the loader picks.
+// ThreadSanitizer cannot start a program that does so: its runtime is not up when the loader asks.
+#if defined(__SANITIZE_THREAD__)
+#define BOUGUER_FOR_EVERY_CPU
+#else
+#define BOUGUER_FOR_EVERY_CPU [[gnu::target_clones("avx512f", "avx2", "default")]]
+#endif
+
+[[gnu::always_inline]] inline Float8 exp_of_nonpositive(Float8 x) {
     using Int8 = std::int32_t __attribute__((vector_size(32)));
     constexpr float kLog2e = 1.44269504F;
     constexpr float kLn2High = 0.693359375F;  // 9 bits: its product with |k| < 128 is exact
@@ -34,6 +44,50 @@ Float8 exp_nonpositive(Float8 x) {
     Float8 power;
     __builtin_memcpy(&power, &exponent, sizeof power);
     return x < floor_at ? splat(0) : p * power;
+}
+
+}  // namespace
+
+Float8 exp_nonpositive(Float8 x) { return exp_of_nonpositive(x); }
+
+BOUGUER_FOR_EVERY_CPU
+void attenuate(Float8* weight, const Float8* log_t, float length, std::size_t blocks) {
+    for (std::size_t i = 0; i < blocks; ++i) weight[i] *= exp_of_nonpositive(log_t[i] * length);
+}
+
+BOUGUER_FOR_EVERY_CPU
+void multiply(Float8* row, float scale, const Float8* factor, std::size_t blocks) {
+    for (std::size_t i = 0; i < blocks; ++i) row[i] *= scale * factor[i];
+}
+
+BOUGUER_FOR_EVERY_CPU
+void accumulate(Float8* sum, float scale, const Float8* a, std::size_t blocks) {
+    for (std::size_t i = 0; i < blocks; ++i) sum[i] += scale * a[i];
+}
+
+BOUGUER_FOR_EVERY_CPU
+void accumulate(Float8* sum, const Float8* weight, float scale, const Float8* a, const Float8* b,
+                const Float8* c, std::size_t blocks) {
+    if (b == nullptr) {
+        for (std::size_t i = 0; i < blocks; ++i) sum[i] += weight[i] * scale * a[i];
+    } else if (c == nullptr) {
+        for (std::size_t i = 0; i < blocks; ++i) sum[i] += weight[i] * scale * (a[i] * b[i]);
+    } else {
+        for (std::size_t i = 0; i < blocks; ++i) sum[i] += weight[i] * scale * (a[i] * b[i] * c[i]);
+    }
+}
+
+BOUGUER_FOR_EVERY_CPU
+float blend(Float8* to, const Float8* from, float ka, const Float8* a, float kb, const Float8* b,
+            std::size_t blocks) {
+    Float8 largest = splat(0);
+    for (std::size_t i = 0; i < blocks; ++i) {
+        to[i] = from[i] * (kb == 0 ? ka * a[i] : ka * a[i] + kb * b[i]);
+        largest = to[i] > largest ? to[i] : largest;
+    }
+    float peak = 0;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) peak = std::max(peak, largest[lane]);
+    return peak;
 }
 
 }  // namespace bouguer::renderer

@@ -19,6 +19,23 @@ inline constexpr std::size_t kLanes = 8;
 /// `n` rounded up to whole lanes.
 constexpr std::size_t padded(std::size_t n) { return (n + kLanes - 1) / kLanes * kLanes; }
 
+/// Allocates on cache lines. Needed: without it a Float8 is aligned as the baseline instruction set
+/// wants it, which is less than what the wider ones do.
+template <class T>
+struct CacheLineAllocator {
+    using value_type = T;
+    static constexpr std::align_val_t kAlignment{64};
+    CacheLineAllocator() = default;
+    template <class U>
+    explicit CacheLineAllocator(const CacheLineAllocator<U>&) {}
+    T* allocate(std::size_t n) {
+        return static_cast<T*>(::operator new(n * sizeof(T), kAlignment));
+    }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, kAlignment); }
+    bool operator==(const CacheLineAllocator&) const { return true; }
+};
+using Float8Vector = std::vector<Float8, CacheLineAllocator<Float8>>;
+
 /// A table of rows of `width` floats each, every row padded with zeros to whole lanes and aligned
 /// for Float8. Rows stay where they are; the table is shared read-only by threads once filled.
 class SpectralTable {
@@ -33,14 +50,37 @@ class SpectralTable {
 
   private:
     std::size_t blocks_;
-    std::vector<Float8> data_;
+    Float8Vector data_;
 };
 
 inline Float8 splat(float x) { return Float8{x, x, x, x, x, x, x, x}; }
 
 /// e^x lane by lane for x <= 0, to 2 units in the last place; 0 below -87. [Cody and Waite 1980,
 /// ch. 6: reduction by ln 2 in two parts; the polynomial is a Taylor series to the seventh power on
-/// |r| <= ln(2)/2]
+/// |r|
+/// <= ln(2)/2]
 Float8 exp_nonpositive(Float8 x);
+
+// The loops of the shading, on rows of `blocks` Float8s each. Compiled for several instruction sets
+// and chosen when the program starts; the arithmetic is lane by lane and never contracted, so all
+// give the same bits.
+
+/// weight *= e^(log_t * length): Bouguer's law along a path. log_t <= 0, length >= 0.
+void attenuate(Float8* weight, const Float8* log_t, float length, std::size_t blocks);
+
+/// row *= scale * factor
+void multiply(Float8* row, float scale, const Float8* factor, std::size_t blocks);
+
+/// sum += scale * a
+void accumulate(Float8* sum, float scale, const Float8* a, std::size_t blocks);
+
+/// sum += weight * scale * a, times b and c where they are not null.
+void accumulate(Float8* sum, const Float8* weight, float scale, const Float8* a, const Float8* b,
+                const Float8* c, std::size_t blocks);
+
+/// to = from * (ka * a + kb * b); b is not read when kb is 0. Returns the largest value of `to`, at
+/// least 0.
+float blend(Float8* to, const Float8* from, float ka, const Float8* a, float kb, const Float8* b,
+            std::size_t blocks);
 
 }  // namespace bouguer::renderer

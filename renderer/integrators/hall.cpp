@@ -29,12 +29,12 @@ class HallScratch final : public TraceScratch {
         return throughput_.data() + blocks_ * static_cast<std::size_t>(depth);
     }
 
-    std::vector<Float8> radiance;  ///< of the sample, so far
-    std::vector<Float8> light;     ///< tint of a shadow ray, or the ambient illuminant
+    Float8Vector radiance;  ///< of the sample, so far
+    Float8Vector light;     ///< tint of a shadow ray, or the ambient illuminant
 
   private:
     std::size_t blocks_;
-    std::vector<Float8> throughput_;
+    Float8Vector throughput_;
 };
 
 /// A hit seen from the side that the ray comes from.
@@ -131,28 +131,15 @@ class HallWalk {
         const HallSurface& inside =
             tables_.surface_of(static_cast<std::uint32_t>(media.innermost() >> 32U));
         if (!inside.absorbs) return;
-        const Float8* log_t = tables_.row(inside.log_transmittance);
-        const auto length = static_cast<float>(b);
-        for (std::size_t i = 0; i < blocks_; ++i) weight[i] *= exp_nonpositive(log_t[i] * length);
+        attenuate(weight, tables_.row(inside.log_transmittance), static_cast<float>(b), blocks_);
     }
 
     // ---- local terms ----
 
-    /// radiance += throughput(depth) * scale * spectrum
-    void add(int depth, float scale, const Float8* spectrum) {
-        const Float8* weight = scratch_.throughput(depth);
-        for (std::size_t i = 0; i < blocks_; ++i)
-            scratch_.radiance[i] += weight[i] * scale * spectrum[i];
-    }
-    void add(int depth, float scale, const Float8* a, const Float8* b) {
-        const Float8* weight = scratch_.throughput(depth);
-        for (std::size_t i = 0; i < blocks_; ++i)
-            scratch_.radiance[i] += weight[i] * scale * (a[i] * b[i]);
-    }
-    void add(int depth, float scale, const Float8* a, const Float8* b, const Float8* c) {
-        const Float8* weight = scratch_.throughput(depth);
-        for (std::size_t i = 0; i < blocks_; ++i)
-            scratch_.radiance[i] += weight[i] * scale * (a[i] * b[i] * c[i]);
+    /// radiance += throughput(depth) * scale * a * b * c
+    void add(int depth, float scale, const Float8* a, const Float8* b = nullptr,
+             const Float8* c = nullptr) {
+        accumulate(scratch_.radiance.data(), scratch_.throughput(depth), scale, a, b, c, blocks_);
     }
 
     /// First terms of equations 3 and 4: every lamp by itself.
@@ -224,8 +211,7 @@ class HallWalk {
             const SurfacePoint at = describe(ray, *hit);
             if (began_inside(at, media)) ++counters_.unmatched_exits;
             absorb(media, hit->t, tint);
-            const Float8* factor = tables_.row(at.surface->transmittance);
-            for (std::size_t i = 0; i < blocks_; ++i) tint[i] *= at.surface->k_st * factor[i];
+            multiply(tint, at.surface->k_st, tables_.row(at.surface->transmittance), blocks_);
             cross(at, media);
             ray.o = leave_surface(*hit, ray.d);
             distance -= hit->t;
@@ -275,8 +261,7 @@ class HallWalk {
         std::fill_n(sum, blocks_, splat(0));
         for (std::size_t l = 0; l < scene_.lights().size(); ++l) {
             const auto scale = static_cast<float>(scene_.lights()[l].sample(p).scale);
-            const Float8* emission = tables_.row(tables_.light_emission[l]);
-            for (std::size_t i = 0; i < blocks_; ++i) sum[i] += scale * emission[i];
+            accumulate(sum, scale, tables_.row(tables_.light_emission[l]), blocks_);
         }
         return sum;
     }
@@ -315,15 +300,8 @@ class HallWalk {
     /// throughput(depth + 1) = throughput(depth) * (ka a + kb b). False: the ray is not worth
     /// following or may not be; what it carries is booked.
     bool weigh(int depth, float ka, const Float8* a, float kb, const Float8* b) {
-        const Float8* from = scratch_.throughput(depth);
         Float8* to = scratch_.throughput(depth + 1);
-        Float8 largest = splat(0);
-        for (std::size_t i = 0; i < blocks_; ++i) {
-            to[i] = from[i] * (kb == 0 ? ka * a[i] : ka * a[i] + kb * b[i]);
-            largest = to[i] > largest ? to[i] : largest;
-        }
-        float peak = 0;
-        for (std::size_t lane = 0; lane < kLanes; ++lane) peak = std::max(peak, largest[lane]);
+        const float peak = blend(to, scratch_.throughput(depth), ka, a, kb, b, blocks_);
         if (peak == 0) return false;
         if (depth >= settings_.max_depth || nodes_ >= kMaxNodesPerSample) {
             ++counters_.rays_cut_by_depth;

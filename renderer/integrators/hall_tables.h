@@ -2,6 +2,7 @@
 // A scene's spectra in the basis of one render: what the Hall kernel reads in its inner loops.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -46,9 +47,16 @@ class HallTables {
     [[nodiscard]] const Float8* row(std::size_t i) const { return spectra.row(i); }
 };
 
-/// (L.N)^n, 1 for n = 0; `cosine` > 0. The common exponent 1 costs nothing.
+/// (L.N)^n, 1 for n = 0; `cosine` in (0, 1]. Whole exponents, the common ones, by repeated
+/// squaring.
 [[nodiscard]] inline float lobe(Real cosine, Real n) {
-    return static_cast<float>(n == 1 ? cosine : std::pow(cosine, n));
+    constexpr Real kManySquarings = 1024;
+    if (n > kManySquarings || n != std::floor(n)) return static_cast<float>(std::pow(cosine, n));
+    Real power = 1;
+    for (auto rest = static_cast<unsigned>(n); rest != 0; rest >>= 1U, cosine *= cosine) {
+        if ((rest & 1U) != 0) power *= cosine;
+    }
+    return static_cast<float>(power);
 }
 
 }  // namespace bouguer::renderer
