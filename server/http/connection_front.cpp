@@ -119,21 +119,21 @@ void ConnectionFront::accept_some() {
     for (int i = 0; i < kAcceptsInARow && listener_; ++i) {
         auto accepted = listener_->accept();
         if (!accepted) return;
-        if (connections() < options_.max_connections + kTurnedAwayAtOnce) add(std::move(*accepted));
+        const bool welcome = connections() < options_.max_connections;
+        if (welcome || *turned_away_ < kTurnedAwayAtOnce) add(std::move(*accepted), welcome);
     }
 }
 
-void ConnectionFront::add(Accepted accepted) {
-    const bool overloaded = connections() >= options_.max_connections;
+void ConnectionFront::add(Accepted accepted, bool welcome) {
     const std::uint64_t id = next_id_++;
-    auto connection =
-        std::make_unique<Connection>(id, std::move(accepted.fd), ConnectionSlot(open_),
-                                     std::move(accepted.client), options_.limits);
+    auto connection = std::make_unique<Connection>(id, std::move(accepted.fd),
+                                                   ConnectionSlot(welcome ? open_ : turned_away_),
+                                                   std::move(accepted.client), options_.limits);
     Connection& c = *connections_.emplace(id, std::move(connection)).first->second;
     // edge-triggered and never changed again: the state says whether an edge matters
     watch(epoll_.get(), c.fd.get(), id, EPOLLIN | EPOLLOUT | EPOLLRDHUP | EPOLLET);
     start_reading(c);
-    if (overloaded) refuse(c, kOverloaded);
+    if (!welcome) refuse(c, kOverloaded);
     advance(id);
 }
 

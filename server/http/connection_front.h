@@ -34,7 +34,7 @@ class ConnectionFront {
     ConnectionFront& operator=(const ConnectionFront&) = delete;
 
     [[nodiscard]] int port() const { return port_; }
-    /// Open connections, those of the event hub included.
+    /// Open connections, those of the event hub included, without those that are being turned away.
     [[nodiscard]] std::size_t connections() const { return open_->load(); }
 
     /// Accepts nothing more, ends connections as soon as they are idle. From any thread.
@@ -50,7 +50,7 @@ class ConnectionFront {
 
     void run();
     void accept_some();
-    void add(Accepted accepted);
+    void add(Accepted accepted, bool welcome);
     void read_mail();
     void keep_deadlines();
     void drain();
@@ -83,6 +83,7 @@ class ConnectionFront {
     FileDescriptor epoll_;
     std::shared_ptr<Mailbox<Message>> mail_ = std::make_shared<Mailbox<Message>>();
     ConnectionSlot::Counter open_ = std::make_shared<std::atomic<std::size_t>>(0);
+    ConnectionSlot::Counter turned_away_ = std::make_shared<std::atomic<std::size_t>>(0);
     std::atomic<bool> draining_{false}, stopping_{false};
 
     // the front's thread only

@@ -25,6 +25,9 @@ RequestReader::State RequestReader::read_head(std::string& in) {
     if (searched_ == 0 && in.compare(0, 2, "\r\n") == 0) in.erase(0, 2);
     const std::size_t end = in.find("\r\n\r\n", searched_);
     if (std::min(end, in.size()) > limits_->head_bytes) {
+        if (in.find("\r\n") > limits_->head_bytes) {
+            return refuse({414, "target-too-long", "The path and query are longer than allowed."});
+        }
         return refuse({431, "head-too-large", "The header fields are larger than allowed."});
     }
     if (end == std::string::npos) {

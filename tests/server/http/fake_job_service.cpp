@@ -100,7 +100,8 @@ Result<SubmitResult> FakeJobService::submit(const std::string& body, const std::
     last_key = key;
     if (is_full) return fail(ErrorKind::Busy, "the queue is full");
     if (body.front() != '{') {
-        Error error{.kind = ErrorKind::InvalidInput, .message = "not a job", .problems = {}, .code = {}};
+        Error error{
+            .kind = ErrorKind::InvalidInput, .message = "not a job", .problems = {}, .code = {}};
         error.problems.push_back({"/scene", "missing", "there is no scene", "", "an object"});
         return tl::unexpected(error);
     }

@@ -67,7 +67,8 @@ RawResponse RawClient::receive(bool head_only) {
         at = line_end + 2;
     }
     if (head_only) return response;
-    const auto size = static_cast<std::size_t>(std::atoll(response.header("content-length").c_str()));
+    const auto size =
+        static_cast<std::size_t>(std::atoll(response.header("content-length").c_str()));
     while (buffer_.size() < size && more()) {
     }
     response.body = buffer_.substr(0, size);
