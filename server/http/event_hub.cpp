@@ -119,15 +119,15 @@ void EventHub::on_socket(std::uint64_t id, std::uint32_t events) {
 }
 
 void EventHub::pump(Stream& stream) {
-    EventInbox& inbox = *stream.exchange->stream->inbox;
-    stream.out += inbox.take(Clock::now());
-    if (inbox.pending()) some_pending_ = true;
+    const EventInbox::Taken taken = stream.exchange->stream->inbox->take(Clock::now());
+    stream.out += taken.text;
+    if (taken.pending) some_pending_ = true;
     send_some(stream);
-    if (inbox.overflow() || stream.out.size() > limits_.event_buffer_bytes) {
+    if (taken.overflow || stream.out.size() > limits_.event_buffer_bytes) {
         stream.exchange->error = "slow event reader dropped";
         stream.dead = true;
     }
-    if (stream.out.empty() && (inbox.ended() || closing_)) {
+    if (stream.out.empty() && (taken.ended || closing_)) {
         ::shutdown(stream.fd.get(), SHUT_WR);
         stream.dead = true;
     }

@@ -40,29 +40,16 @@ void EventInbox::on_push(std::function<void()> wake) {
     if (now) wake();
 }
 
-std::string EventInbox::take(Clock::time_point now) {
+EventInbox::Taken EventInbox::take(Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    std::string text = std::exchange(ready_, {});
+    Taken taken{.text = std::exchange(ready_, {}), .ended = ended_, .overflow = overflow_};
     if (progress_ && now - last_progress_ >= progress_interval_) {
-        text += *std::exchange(progress_, std::nullopt);
+        taken.text += *std::exchange(progress_, std::nullopt);
         last_progress_ = now;
     }
     // while a progress event waits the owner looks again by itself
-    notified_ = progress_.has_value();
-    return text;
-}
-
-bool EventInbox::pending() const {
-    const std::lock_guard lock(mutex_);
-    return progress_.has_value();
-}
-bool EventInbox::ended() const {
-    const std::lock_guard lock(mutex_);
-    return ended_;
-}
-bool EventInbox::overflow() const {
-    const std::lock_guard lock(mutex_);
-    return overflow_;
+    taken.pending = notified_ = progress_.has_value();
+    return taken;
 }
 
 }  // namespace bouguer::server

@@ -29,12 +29,13 @@ class EventInbox {
     /// lock held; at once if something is there already.
     void on_push(std::function<void()> wake);
 
-    /// What may be sent now, as text/event-stream; progress only when its interval has passed.
-    [[nodiscard]] std::string take(Clock::time_point now);
-
-    [[nodiscard]] bool pending() const;   ///< a progress event waits for its time
-    [[nodiscard]] bool ended() const;     ///< "done" has come, taken or not
-    [[nodiscard]] bool overflow() const;  ///< more came than capacity_bytes: give the client up
+    struct Taken {
+        std::string text;       ///< what may be sent now, as text/event-stream
+        bool pending = false;   ///< a progress event waits for its interval to pass
+        bool ended = false;     ///< "done" was in this text or a former one
+        bool overflow = false;  ///< more came than capacity_bytes: give the client up
+    };
+    [[nodiscard]] Taken take(Clock::time_point now);
 
   private:
     const std::chrono::milliseconds progress_interval_;

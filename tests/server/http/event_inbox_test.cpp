@@ -23,13 +23,15 @@ TEST(EventInbox, WritesTheEventStreamFormat) {
 TEST(EventInbox, KeepsTheNewestProgressAndItsInterval) {
     EventInbox inbox(milliseconds(250), 1000);
     inbox.push(event(1, "progress"));
-    EXPECT_EQ(inbox.take(kStart), text(1, "progress"));
+    EXPECT_EQ(inbox.take(kStart).text, text(1, "progress"));
     inbox.push(event(2, "progress"));
     inbox.push(event(3, "progress"));
-    EXPECT_EQ(inbox.take(kStart + milliseconds(249)), "");
-    EXPECT_TRUE(inbox.pending());
-    EXPECT_EQ(inbox.take(kStart + milliseconds(250)), text(3, "progress"));
-    EXPECT_FALSE(inbox.pending());
+    const auto early = inbox.take(kStart + milliseconds(249));
+    EXPECT_EQ(early.text, "");
+    EXPECT_TRUE(early.pending);
+    const auto later = inbox.take(kStart + milliseconds(250));
+    EXPECT_EQ(later.text, text(3, "progress"));
+    EXPECT_FALSE(later.pending);
 }
 
 TEST(EventInbox, OtherEventsAreNotHeldBackAndKeepTheOrder) {
@@ -38,8 +40,9 @@ TEST(EventInbox, OtherEventsAreNotHeldBackAndKeepTheOrder) {
     inbox.push(event(2, "preview"));
     inbox.push(event(3, "done"));
     inbox.push(event(4, "progress"));  // nothing follows the end
-    EXPECT_TRUE(inbox.ended());
-    EXPECT_EQ(inbox.take(kStart), text(1, "progress") + text(2, "preview") + text(3, "done"));
+    const auto taken = inbox.take(kStart);
+    EXPECT_EQ(taken.text, text(1, "progress") + text(2, "preview") + text(3, "done"));
+    EXPECT_TRUE(taken.ended);
 }
 
 TEST(EventInbox, WakesOnceUntilTaken) {
@@ -50,7 +53,7 @@ TEST(EventInbox, WakesOnceUntilTaken) {
     EXPECT_EQ(woken, 1) << "what came before is told at once";
     inbox.push(event(2, "preview"));
     EXPECT_EQ(woken, 1);
-    (void)inbox.take(kStart);
+    (void)inbox.take(kStart).text;
     inbox.push(event(3, "preview"));
     EXPECT_EQ(woken, 2);
 }
@@ -58,7 +61,7 @@ TEST(EventInbox, WakesOnceUntilTaken) {
 TEST(EventInbox, GivesUpWhoDoesNotTake) {
     EventInbox inbox(milliseconds(250), 100);
     for (int i = 0; i < 10; ++i) inbox.push(event(1, "preview"));
-    EXPECT_TRUE(inbox.overflow());
+    EXPECT_TRUE(inbox.take(kStart).overflow);
 }
 
 }  // namespace
