@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/geometry/embree_geometry.h"
 
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 
 namespace bouguer::renderer {
@@ -40,22 +43,21 @@ Real approach(const Ray& ray, Real radius) {
     return along - 4 * radius;
 }
 
-RTCRay embree_ray(const Ray& ray, Real scale, Real shift, Real t_max) {
+/// Four floats that are stored at once: Embree loads them so, and would wait for single stores.
+using Float4 = float __attribute__((vector_size(16)));
+
+/// Fills all of `r`.
+void set_ray(RTCRay& r, const Ray& ray, Real scale, Real shift, Real t_max) {
     const Vec3 o = (shift == 0 ? ray.o : ray.at(shift)) * scale;
-    RTCRay r;
-    r.org_x = static_cast<float>(o.x);
-    r.org_y = static_cast<float>(o.y);
-    r.org_z = static_cast<float>(o.z);
-    r.tnear = 0;
-    r.dir_x = static_cast<float>(ray.d.x);
-    r.dir_y = static_cast<float>(ray.d.y);
-    r.dir_z = static_cast<float>(ray.d.z);
-    r.time = 0;
-    r.tfar = static_cast<float>((t_max - shift) * scale);
-    r.mask = ~0U;
-    r.id = 0;
-    r.flags = 0;
-    return r;
+    const Float4 org{static_cast<float>(o.x), static_cast<float>(o.y), static_cast<float>(o.z), 0};
+    const Float4 dir{static_cast<float>(ray.d.x), static_cast<float>(ray.d.y),
+                     static_cast<float>(ray.d.z), 0};
+    const Float4 rest{static_cast<float>((t_max - shift) * scale), std::bit_cast<float>(~0U), 0, 0};
+    static_assert(offsetof(RTCRay, tnear) == 12 && offsetof(RTCRay, dir_x) == 16 &&
+                  offsetof(RTCRay, tfar) == 32 && offsetof(RTCRay, mask) == 36);
+    std::memcpy(&r.org_x, &org, sizeof(org));
+    std::memcpy(&r.dir_x, &dir, sizeof(dir));
+    std::memcpy(&r.tfar, &rest, sizeof(rest));
 }
 
 void set_owner(Hit& hit, std::size_t part, PartOwner owner) {
@@ -70,7 +72,7 @@ bool intersect_bvh(const GeometryData& data, const Ray& ray, Real t_max, Hit& hi
     query.shift = approach(ray, data.radius);
     if (!(query.shift < t_max)) return false;
     RTCRayHit record;
-    record.ray = embree_ray(ray, data.scale, query.shift, t_max);
+    set_ray(record.ray, ray, data.scale, query.shift, t_max);
     const float tfar = record.ray.tfar;
     bool triangle = false;
     std::uint32_t mesh = 0;
@@ -81,9 +83,9 @@ bool intersect_bvh(const GeometryData& data, const Ray& ray, Real t_max, Hit& hi
         if (record.hit.geomID == RTC_INVALID_GEOMETRY_ID) break;
         const bool instance = record.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
         mesh = instance ? record.hit.instID[0] : record.hit.geomID;
-        if (mesh >= data.meshes.size()) break;
+        if (mesh >= data.num_meshes) break;
         const TriangleHit at{record.hit.primID,
-                             static_cast<Real>(record.ray.tfar) / data.scale + query.shift,
+                             static_cast<Real>(record.ray.tfar) * data.unscale + query.shift,
                              record.hit.u, record.hit.v};
         triangle = data.meshes[mesh].refine(ray, at, hit);
         if (triangle) break;
@@ -92,8 +94,7 @@ bool intersect_bvh(const GeometryData& data, const Ray& ray, Real t_max, Hit& hi
     }
     if (query.best.t < kInfinity && !(triangle && hit.t <= query.best.t)) {
         data.analytic->shapes[query.best_shape].complete(ray, query.best, hit);
-        set_owner(hit, data.meshes.size() + query.best_shape,
-                  data.analytic->owners[query.best_shape]);
+        set_owner(hit, data.num_meshes + query.best_shape, data.analytic->owners[query.best_shape]);
         return true;
     }
     if (!triangle) return false;
@@ -133,7 +134,7 @@ std::optional<Hit> EmbreeGeometry::intersect(const Ray& ray) const {
     const Real error = tied ? hit.error : 0;
     complete(data_.planes[plane], ray, t_plane, hit);
     hit.error = std::max(hit.error, error);
-    set_owner(hit, data_.meshes.size() + data_.analytic->shapes.size() + plane,
+    set_owner(hit, data_.num_meshes + data_.analytic->shapes.size() + plane,
               data_.planes[plane].owner);
     return result;
 }
@@ -148,15 +149,16 @@ bool EmbreeGeometry::occluded(const Ray& ray, Real t_max) const {
     query.t_max = t_max;
     query.shift = approach(ray, data_.radius);
     if (!(query.shift < t_max)) return false;
-    RTCRay record = embree_ray(ray, data_.scale, query.shift, t_max);
+    RTCRay record;
+    set_ray(record, ray, data_.scale, query.shift, t_max);
     embree_occluded(data_.scene.get(), record, query);
     return record.tfar < 0;
 }
 
 Vec2 EmbreeGeometry::surface_uv(const Hit& hit) const {
     std::size_t part = hit.part;
-    if (part < data_.meshes.size()) return data_.meshes[part].uv(hit);
-    part -= data_.meshes.size();
+    if (part < data_.num_meshes) return data_.meshes[part].uv(hit);
+    part -= data_.num_meshes;
     if (part < data_.analytic->shapes.size()) return data_.analytic->shapes[part].uv(hit);
     const Frame frame(hit.ng);
     return {dot(frame.x, hit.p + data_.origin), dot(frame.y, hit.p + data_.origin)};

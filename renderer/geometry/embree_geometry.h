@@ -45,7 +45,9 @@ struct GeometryData {
     std::vector<PlanePart> planes;
     Vec3 origin;
     Real radius = 0;
-    Real scale = 1;  ///< from scene units to Embree's: a power of two
+    Real scale = 1;    ///< from scene units to Embree's: a power of two
+    Real unscale = 1;  ///< its inverse
+    std::uint32_t num_meshes = 0;
     std::uint64_t num_triangles = 0;
     std::uint64_t own_bytes = 0;
 };

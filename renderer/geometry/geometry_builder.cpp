@@ -131,6 +131,8 @@ class Builder {
             data_.radius = length(bounds_.half_size());
         }
         data_.scale = unit_scale(data_.radius);
+        data_.unscale = 1 / data_.scale;
+        data_.num_meshes = static_cast<std::uint32_t>(meshes_.size());
         for (AnalyticShape& shape : data_.analytic->shapes) shape = shape.relative_to(data_.origin);
         for (std::size_t i = 0; i < data_.planes.size(); ++i) {
             data_.planes[i].offset = dot(data_.planes[i].n, plane_points_[i] - data_.origin);
@@ -203,9 +205,9 @@ class Builder {
     void add_baked(const PlacedMesh& placed) {
         Transform to_scene = placed.to_world;
         to_scene.t = to_scene.t - data_.origin;
-        const auto buffer = keep(make_vertex_buffer(*placed.mesh, scaled(to_scene, data_.scale)));
+        const auto buffer = keep(*placed.mesh, to_scene, data_.unscale);
         attach(data_.scene, triangles(*placed.mesh, *buffer), data_.meshes.size());
-        data_.meshes.emplace_back(placed.mesh, buffer, std::nullopt, 1 / data_.scale, to_scene);
+        data_.meshes.emplace_back(placed.mesh, buffer, to_scene);
     }
 
     /// A reference to a scene that holds the mesh once, about its own middle and of unit size.
@@ -216,8 +218,8 @@ class Builder {
             const Bounds bounds = bounds_of(*placed.mesh, {});
             shared.middle = bounds.middle();
             shared.scale = unit_scale(max_abs(bounds.half_size()));
-            const Transform normalise = scaled(Transform::translate(-shared.middle), shared.scale);
-            shared.buffer = keep(make_vertex_buffer(*placed.mesh, normalise));
+            shared.buffer =
+                keep(*placed.mesh, scaled(Transform::translate(-shared.middle), shared.scale), 1);
             shared.scene = data_.instanced.size();
             data_.instanced.push_back(new_scene());
             attach(data_.instanced.back(), triangles(*placed.mesh, *shared.buffer), 0);
@@ -231,7 +233,7 @@ class Builder {
         rtcSetGeometryInstancedScene(geometry.get(), data_.instanced[shared.scene].get());
         set_transform(geometry.get(), scaled(from_buffer, data_.scale));
         attach(data_.scene, std::move(geometry), data_.meshes.size());
-        data_.meshes.emplace_back(placed.mesh, shared.buffer, from_buffer, 1, to_scene);
+        data_.meshes.emplace_back(placed.mesh, shared.buffer, to_scene, from_buffer);
     }
 
     static void set_transform(RTCGeometry geometry, const Transform& m) {
@@ -246,7 +248,7 @@ class Builder {
         rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
     }
 
-    GeometryHandle triangles(const TriangleMesh& mesh, const VertexBuffer& buffer) {
+    GeometryHandle triangles(const TriangleMesh& mesh, const MeshBuffer& buffer) {
         GeometryHandle geometry(rtcNewGeometry(data_.device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
         rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                    buffer.xyz.data(), 0, 3 * sizeof(float), mesh.positions.size());
@@ -270,15 +272,17 @@ class Builder {
         note_error();
     }
 
-    std::shared_ptr<const VertexBuffer> keep(VertexBuffer buffer) {
-        data_.own_bytes += buffer.xyz.capacity() * sizeof(float);
-        return std::make_shared<const VertexBuffer>(std::move(buffer));
+    std::shared_ptr<const MeshBuffer> keep(const TriangleMesh& mesh, const Transform& transform,
+                                           Real scale) {
+        auto buffer = std::make_shared<const MeshBuffer>(mesh, transform, scale);
+        data_.own_bytes += buffer->bytes();
+        return buffer;
     }
 
     struct Shared {
         Vec3 middle;
         Real scale = 1;
-        std::shared_ptr<const VertexBuffer> buffer;
+        std::shared_ptr<const MeshBuffer> buffer;
         std::size_t scene = 0;
     };
 

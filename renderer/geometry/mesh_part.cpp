@@ -14,15 +14,25 @@ constexpr Real kRounding = 0x1p-21;
 constexpr Real kInstanceRounding = 0x1p-19;
 
 /// How much a transform and its inverse amplify rounding, >= 1: 1 for turns and scales.
-Real condition(const Transform& m) {
-    const auto inverse = m.inverse();
-    if (!inverse) return 1;
+Real condition(const Transform& m, const Transform& inverse) {
     Real worst = 1;
     for (int i = 0; i < 3; ++i) {
         const Vec3 column{m.a[0][i], m.a[1][i], m.a[2][i]};
-        worst = std::max(worst, length(column) * length(inverse->a[static_cast<std::size_t>(i)]));
+        worst = std::max(worst, length(column) * length(inverse.a[static_cast<std::size_t>(i)]));
     }
     return worst;
+}
+
+TrianglePlane plane_of(Vec3 a, Vec3 b, Vec3 c) {
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    const Vec3 n = cross(ab, ac);
+    const Real size = length(n);
+    TrianglePlane plane;
+    plane.n = size > 0 ? n / size : Vec3{0, 0, 1};  // rays do not meet what rounding made flat
+    plane.offset = dot(plane.n, a);
+    plane.extent = static_cast<float>(max_abs(ab) + max_abs(ac));
+    return plane;
 }
 
 Vec3 interpolate(const std::vector<Vec3>& values, const std::array<std::uint32_t, 3>& corners,
@@ -32,58 +42,80 @@ Vec3 interpolate(const std::vector<Vec3>& values, const std::array<std::uint32_t
 
 }  // namespace
 
-VertexBuffer make_vertex_buffer(const TriangleMesh& mesh, const Transform& transform) {
-    VertexBuffer buffer;
-    buffer.xyz.reserve(3 * mesh.positions.size() + 1);
+MeshBuffer::MeshBuffer(const TriangleMesh& mesh, const Transform& transform, Real over)
+    : scale(over) {
+    xyz.reserve(3 * mesh.positions.size() + 1);
     for (const Vec3& position : mesh.positions) {
-        const Vec3 p = transform.point(position);
-        for (const Real x : {p.x, p.y, p.z}) buffer.xyz.push_back(static_cast<float>(x));
+        const Vec3 p = transform.point(position) / scale;
+        for (const Real x : {p.x, p.y, p.z}) xyz.push_back(static_cast<float>(x));
     }
-    buffer.xyz.push_back(0);
-    return buffer;
+    xyz.push_back(0);
+    planes.reserve(mesh.triangles.size());
+    const bool mirrored = transform.determinant() < 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        planes.push_back(mirrored ? plane_of(vertex(a), vertex(c), vertex(b))
+                                  : plane_of(vertex(a), vertex(b), vertex(c)));
+    }
+}
+
+Vec3 MeshBuffer::vertex(std::uint32_t i) const {
+    const float* p = &xyz[3 * std::size_t{i}];
+    return scale * Vec3{p[0], p[1], p[2]};
+}
+
+std::uint64_t MeshBuffer::bytes() const {
+    return xyz.capacity() * sizeof(float) + planes.capacity() * sizeof(TrianglePlane);
 }
 
 MeshPart::MeshPart(std::shared_ptr<const TriangleMesh> mesh,
-                   std::shared_ptr<const VertexBuffer> buffer, std::optional<Transform> from_buffer,
-                   Real scale, const Transform& to_scene)
+                   std::shared_ptr<const MeshBuffer> buffer, const Transform& to_scene)
     : mesh_(std::move(mesh)),
       buffer_(std::move(buffer)),
-      from_buffer_(from_buffer),
-      scale_(scale),
-      rounding_(from_buffer ? kInstanceRounding * condition(*from_buffer) : kRounding),
-      outwards_(to_scene.determinant() < 0 ? -1 : 1),
+      rounding_(kRounding),
       to_mesh_(to_scene.inverse().value_or(Transform{})) {}
 
-bool MeshPart::refine(const Ray& ray, const TriangleHit& at, Hit& hit) const {
-    const auto& corners = mesh_->triangles[at.primitive];
-    Vec3 a = buffer_->vertex(corners[0]);
-    Vec3 b = buffer_->vertex(corners[1]);
-    Vec3 c = buffer_->vertex(corners[2]);
-    if (from_buffer_) {
-        a = from_buffer_->point(a);
-        b = from_buffer_->point(b);
-        c = from_buffer_->point(c);
-    } else {
-        a = scale_ * a;
-        b = scale_ * b;
-        c = scale_ * c;
-    }
-    const Vec3 ab = b - a;
-    const Vec3 ac = c - a;
-    const Vec3 n = cross(ab, ac);
-    const Real extent = max_abs(ab) + max_abs(ac);
+MeshPart::MeshPart(std::shared_ptr<const TriangleMesh> mesh,
+                   std::shared_ptr<const MeshBuffer> buffer, const Transform& to_scene,
+                   const Transform& from_buffer)
+    : MeshPart(std::move(mesh), std::move(buffer), to_scene) {
+    const Transform to_buffer = from_buffer.inverse().value_or(Transform{});
+    const Real size =
+        std::max({length(from_buffer.a[0]), length(from_buffer.a[1]), length(from_buffer.a[2])});
+    instance_ = std::make_unique<const Instance>(Instance{from_buffer, to_buffer, size});
+    rounding_ = kInstanceRounding * condition(from_buffer, to_buffer);
+}
 
-    Real t = dot(a - ray.o, n) / dot(ray.d, n);
+Vec3 MeshPart::point_in(const TriangleHit& at) const {
+    const auto& corners = mesh_->triangles[at.primitive];
+    const Vec3 a = buffer_->vertex(corners[0]);
+    const Vec3 p = a + static_cast<Real>(at.u) * (buffer_->vertex(corners[1]) - a) +
+                   static_cast<Real>(at.v) * (buffer_->vertex(corners[2]) - a);
+    return instance_ ? instance_->from_buffer.point(p) : p;
+}
+
+bool MeshPart::refine(const Ray& ray, const TriangleHit& at, Hit& hit) const {
+    const TrianglePlane& plane = buffer_->planes[at.primitive];
+    Real extent = static_cast<Real>(plane.extent);
+    Real t = 0;
+    if (instance_) {
+        const Transform& to_buffer = instance_->to_buffer;
+        t = (plane.offset - dot(plane.n, to_buffer.point(ray.o))) /
+            dot(plane.n, to_buffer.direction(ray.d));
+        hit.ng = normalize(to_buffer.transposed(plane.n));
+        extent *= instance_->size;
+    } else {
+        t = (plane.offset - dot(plane.n, ray.o)) / dot(plane.n, ray.d);
+        hit.ng = plane.n;
+    }
     hit.p = ray.at(t);
     // Nearly in the triangle's plane the quotient means little; the place in the triangle still
     // does.
     if (!(std::abs(t - at.t) <= 1e-3 * (at.t + extent))) {
-        hit.p = a + static_cast<Real>(at.u) * ab + static_cast<Real>(at.v) * ac;
+        hit.p = point_in(at);
         t = dot(hit.p - ray.o, ray.d);
     }
     if (!(t > 0)) return false;
     hit.t = t;
-    hit.ng = (outwards_ / length(n)) * n;
     hit.ns = hit.ng;
     hit.error = rounding_ * (max_abs(hit.p) + extent);
     hit.u = at.u;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "renderer/core/result.h"
@@ -16,18 +15,27 @@
 
 namespace bouguer::renderer {
 
-/// Vertex positions in single precision, as Embree takes them: [vertex][xyz], and one float more
-/// because Embree reads 16 bytes a vertex.
-struct VertexBuffer {
-    std::vector<float> xyz;
-    [[nodiscard]] Vec3 vertex(std::uint32_t i) const {
-        const float* p = &xyz[3 * std::size_t{i}];
-        return {p[0], p[1], p[2]};
-    }
+/// The plane of a triangle in double precision: dot(n, p) = offset.
+struct TrianglePlane {
+    Vec3 n;  ///< unit, to the side from which the mesh's corners run counter-clockwise
+    Real offset = 0;
+    float extent = 0;  ///< about the longest edge
 };
 
-/// The positions of `mesh` under `transform`, rounded once.
-[[nodiscard]] VertexBuffer make_vertex_buffer(const TriangleMesh& mesh, const Transform& transform);
+/// A mesh's vertices in single precision, as Embree takes them, and what queries need of its
+/// triangles. Immutable; shared by instances.
+struct MeshBuffer {
+    /// The positions of `mesh` under `transform`, rounded once, over `scale`; the planes are those
+    /// of the rounded triangles, not over `scale`.
+    MeshBuffer(const TriangleMesh& mesh, const Transform& transform, Real scale);
+
+    [[nodiscard]] Vec3 vertex(std::uint32_t i) const;  ///< not over `scale`
+    [[nodiscard]] std::uint64_t bytes() const;
+
+    std::vector<float> xyz;  ///< [vertex][xyz], and one more: Embree reads 16 bytes a vertex
+    std::vector<TrianglePlane> planes;
+    Real scale;
+};
 
 /// What a single-precision query says of a triangle.
 struct TriangleHit {
@@ -39,11 +47,13 @@ struct TriangleHit {
 /// A mesh under one transform. Immutable; thread-safe.
 class MeshPart {
   public:
-    /// `buffer` holds the mesh's vertices; `from_buffer` takes them to the coordinates of rays, and
-    /// is empty when it only scales by `scale`. `to_scene` takes the mesh's own coordinates to
-    /// those of rays; it is invertible.
-    MeshPart(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const VertexBuffer> buffer,
-             std::optional<Transform> from_buffer, Real scale, const Transform& to_scene);
+    /// A copy of its own: `buffer` is in the coordinates of rays. `to_scene` takes the mesh's own
+    /// coordinates to those of rays; it is invertible.
+    MeshPart(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const MeshBuffer> buffer,
+             const Transform& to_scene);
+    /// An instance: `buffer` is shared, and `from_buffer` takes it to the coordinates of rays.
+    MeshPart(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const MeshBuffer> buffer,
+             const Transform& to_scene, const Transform& from_buffer);
 
     /// Computes t anew in double from the vertices that Embree saw. Fills t, p, ng, error, u, v and
     /// primitive of `hit`; returns false when the triangle lies behind the ray's origin after all.
@@ -53,12 +63,17 @@ class MeshPart {
     [[nodiscard]] Vec2 uv(const Hit& hit) const;
 
   private:
+    [[nodiscard]] Vec3 point_in(const TriangleHit& at) const;
+
+    struct Instance {
+        Transform from_buffer, to_buffer;
+        Real size;  ///< how much longer things are than in the buffer
+    };
+
     std::shared_ptr<const TriangleMesh> mesh_;
-    std::shared_ptr<const VertexBuffer> buffer_;
-    std::optional<Transform> from_buffer_;
-    Real scale_;
+    std::shared_ptr<const MeshBuffer> buffer_;
+    std::unique_ptr<const Instance> instance_;  ///< null for a copy
     Real rounding_;  ///< how far a query may be off, of the coordinates' size
-    Real outwards_;  ///< -1 where the transform mirrors, else 1
     Transform to_mesh_;
 };
 
