@@ -55,7 +55,9 @@ void log_event(LogLevel level, std::string_view event,
         if (!logger().should_log(spdlog_level(level))) return;
         api::JsonObject line;
         line.set("time", utc_text(unix_ms())).set("level", name_of(level)).set("event", event);
-        for (const auto& [key, value] : fields) line.set(key, value);
+        for (const auto& [key, value] : fields) {
+            if (!value.empty()) line.set(key, value);
+        }
         logger().log(spdlog_level(level), line.text());
     } catch (...) {  // NOLINT(bugprone-empty-catch): nothing is left to tell it to
     }

@@ -14,8 +14,8 @@ enum class LogLevel { Info, Warning, Error };
 /// Nothing below `level` is written. At the start everything is.
 void set_log_level(LogLevel level);
 
-/// Writes {"time": ..., "level": ..., "event": `event`, fields ...}. All text is escaped, so that
-/// nothing a client sends can make a second line. Thread-safe; does not throw.
+/// Writes {"time": ..., "level": ..., "event": `event`, fields ...}, without empty fields. All text
+/// is escaped, so that nothing a client sends can make a second line. Thread-safe; does not throw.
 void log_event(LogLevel level, std::string_view event,
                std::initializer_list<std::pair<std::string_view, std::string>> fields) noexcept;
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <sstream>
+
+namespace bouguer::server {
+namespace {
+
+constexpr double kLargest = 1e30;
+
+void add_document(CLI::App& app, std::filesystem::path& document) {
+    app.add_option("document", document, "a scene (bouguer-scene/1) or a job (bouguer-job/1)")
+        ->required()
+        ->type_name("SCENE.json");
+}
+
+void add_threads(CLI::App& app, int& threads) {
+    app.add_option("--threads", threads, "threads that render; 0: one for each hardware thread")
+        ->check(CLI::Range(0, 1024));
+}
+
+void add_overrides(CLI::App& app, Overrides& o) {
+    constexpr const char* kGroup = "In place of what the document says";
+    app.add_option("--integrator", o.integrator, "hall (spectral) or rgb (three channels)")
+        ->check(CLI::IsMember({"hall", "rgb"}))
+        ->group(kGroup);
+    app.add_option("--resolution", o.resolution, "size of the picture in pixels")
+        ->type_name("WIDTHxHEIGHT")
+        ->group(kGroup);
+    app.add_option("--wavelength-step", o.wavelength_step, "spacing of the wavelengths, nm")
+        ->check(CLI::Range(1.0, 100.0))
+        ->group(kGroup);
+    app.add_option("--max-depth", o.max_depth, "reflections and refractions in a row")
+        ->check(CLI::Range(0, 64))
+        ->group(kGroup);
+}
+
+void add_stop_overrides(CLI::App& app, Overrides& o) {
+    constexpr const char* kGroup = "When to stop: whichever is first, in place of the document's";
+    app.add_option("--samples", o.samples, "after so many samples a pixel")
+        ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{1'000'000}))
+        ->group(kGroup);
+    app.add_option("--seconds", o.seconds, "after so long, at the end of a pass")
+        ->check(CLI::Range(1e-3, 86'400.0))
+        ->group(kGroup);
+    app.add_option("--error", o.error, "when the relative RMSE is below, with 95 % confidence")
+        ->check(CLI::Range(1e-6, 1.0))
+        ->group(kGroup);
+}
+
+void add_output_overrides(CLI::App& app, Overrides& o) {
+    constexpr const char* kGroup = "In place of what the document says";
+    app.add_option("--seed", o.seed, "of all random numbers")
+        ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U))
+        ->group(kGroup);
+    app.add_option("--display", o.display, "of PNG files: srgb, lee-9300k")->group(kGroup);
+    app.add_option("--exposure", o.exposure, "of PNG files: a factor, or auto")->group(kGroup);
+    app.add_option("--color-space", o.color_space, "of EXR files: rec709 or xyz")
+        ->check(CLI::IsMember({"rec709", "xyz"}))
+        ->group(kGroup);
+}
+
+void add_serve(CLI::App& app, ServeOptions& o) {
+    app.add_option("--listen", o.listen, "address and port; port 0 is any free one")
+        ->type_name("HOST:PORT")
+        ->capture_default_str();
+    app.add_flag("--allow-remote", o.allow_remote,
+                 "let --listen be an address that other machines can reach, e.g. 0.0.0.0. There "
+                 "is no login: whoever can reach the port can use the service");
+    app.add_option("--data", o.data, "folder for jobs and results; made if need be")
+        ->type_name("DIR")
+        ->capture_default_str();
+    app.add_option("--assets", o.assets,
+                   "folder of the mesh files that scenes name; DATA/assets "
+                   "by default")
+        ->type_name("DIR");
+    add_threads(app, o.threads);
+    app.add_option("--memory", o.memory_gib,
+                   "GiB for all running jobs together; 0: half of the machine's")
+        ->check(CLI::Range(0.0, kLargest));
+    app.add_option("--queue", o.queue, "jobs that may wait or run; beyond: 503")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+        ->capture_default_str();
+    app.add_option("--cors-origin", o.cors_origins,
+                   "origin of web pages elsewhere that may call the API; may be repeated")
+        ->type_name("ORIGIN");
+}
+
+void add_render(CLI::App& app, RenderOptions& o) {
+    add_document(app, o.document);
+    app.add_option("-o,--output", o.outputs, "picture to write, .png or .exr; may be repeated")
+        ->required()
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->type_name("FILE");
+    app.add_option("--report", o.report, "error against run time, health, plan and timings as JSON")
+        ->type_name("FILE.json");
+    add_threads(app, o.threads);
+    add_overrides(app, o.overrides);
+    add_stop_overrides(app, o.overrides);
+    add_output_overrides(app, o.overrides);
+}
+
+/// All subcommands and where what they read goes to.
+struct CommandLine {
+    CLI::App app{"Bouguer: a spectral renderer, as a service and for the shell", "bouguer"};
+    bool wants_version = false;
+    ServeOptions serve;
+    RenderOptions render;
+    ValidateOptions validate;
+    PlanOptions plan;
+    CLI::App* serve_app = app.add_subcommand("serve", "run the daemon");
+    CLI::App* render_app = app.add_subcommand("render", "render a scene into files");
+    CLI::App* validate_app = app.add_subcommand("validate", "tell every problem of a document");
+    CLI::App* plan_app =
+        app.add_subcommand("plan", "tell what a scene needs and what is left out, and why");
+
+    CommandLine() {
+        app.require_subcommand(0, 1);
+        app.add_flag("--version", wants_version, "versions of the program and its libraries");
+        app.footer("Exit codes: 0 done, 1 failed or interrupted, 2 bad usage or input.");
+        add_serve(*serve_app, serve);
+        add_render(*render_app, render);
+        add_document(*validate_app, validate.document);
+        add_document(*plan_app, plan.document);
+        add_overrides(*plan_app, plan.overrides);
+        plan_app->add_flag("--json", plan.json, "as JSON");
+    }
+
+    [[nodiscard]] std::variant<Command, UsageMessage> chosen() const {
+        if (wants_version) return Command(VersionOptions{});
+        if (serve_app->parsed()) return Command(serve);
+        if (render_app->parsed()) return Command(render);
+        if (validate_app->parsed()) return Command(validate);
+        if (plan_app->parsed()) return Command(plan);
+        return UsageMessage{kExitBadInput, app.help()};
+    }
+};
+
+}  // namespace
+
+std::variant<Command, UsageMessage> read_command_line(std::span<const char* const> arguments) {
+    CommandLine line;
+    // CLI11 takes a vector from its end.
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    try {
+        line.app.parse(std::move(reversed));
+    } catch (const CLI::ParseError& e) {
+        std::ostringstream text;
+        const bool is_help = line.app.exit(e, text, text) == 0;
+        return UsageMessage{is_help ? kExitOk : kExitBadInput, text.str()};
+    }
+    return line.chosen();
+}
+
+}  // namespace bouguer::server

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line may say, as plain data: one struct a subcommand.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace bouguer::server {
+
+/// Said on the command line in place of what the document says.
+struct Overrides {
+    std::optional<std::string> integrator;  ///< "hall", "rgb"
+    std::optional<std::uint32_t> samples;   ///< any of these three replaces the whole stop rule
+    std::optional<double> seconds, error;
+    std::optional<std::uint64_t> seed;
+    std::optional<std::string> display;
+    std::optional<std::string> exposure;     ///< "auto" or a number
+    std::optional<std::string> color_space;  ///< of EXR files: "rec709", "xyz"
+    std::optional<std::string> resolution;   ///< "640x480"
+    std::optional<double> wavelength_step;   ///< nm
+    std::optional<int> max_depth;
+    bool operator==(const Overrides&) const = default;
+};
+
+struct ServeOptions {
+    std::string listen = "127.0.0.1:8080";
+    bool allow_remote = false;  ///< whether `listen` may be reachable from other machines
+    std::filesystem::path data = "bouguer-data";
+    std::filesystem::path assets;  ///< empty: DATA/assets
+    int threads = 0;               ///< 0: one for each hardware thread
+    double memory_gib = 0;         ///< of all running jobs together; 0: half of the machine's
+    std::size_t queue = 1000;      ///< jobs that wait or run
+    std::vector<std::string> cors_origins;
+};
+
+struct RenderOptions {
+    std::filesystem::path document;
+    std::vector<std::filesystem::path> outputs;  ///< .png or .exr
+    std::optional<std::filesystem::path> report;
+    Overrides overrides;
+    int threads = 0;  ///< 0: one for each hardware thread
+};
+
+struct ValidateOptions {
+    std::filesystem::path document;
+};
+
+struct PlanOptions {
+    std::filesystem::path document;
+    Overrides overrides;
+    bool json = false;
+};
+
+struct VersionOptions {};
+
+using Command =
+    std::variant<ServeOptions, RenderOptions, ValidateOptions, PlanOptions, VersionOptions>;
+
+}  // namespace bouguer::server
