@@ -9,8 +9,10 @@
 #include "server/http/routes/event_routes.h"
 #include "server/http/routes/health_routes.h"
 #include "server/http/routes/job_routes.h"
+#include "server/http/routes/library_routes.h"
 #include "server/http/routes/result_routes.h"
 #include "server/http/routes/scene_routes.h"
+#include "server/http/routes/web_routes.h"
 
 namespace bouguer::server {
 
@@ -46,6 +48,8 @@ class HttpServer::Impl {
         add_event_routes(*router, jobs, options);
         add_result_routes(*router, jobs);
         add_scene_routes(*router, jobs);
+        add_library_routes(*router);
+        add_web_routes(*router);
         return router;
     }
 

@@ -41,7 +41,8 @@ TEST_F(JobRoutesTest, RefusalsOfTheServiceBecomeProblems) {
 TEST_F(JobRoutesTest, OnlyJsonIsSubmitted) {
     start();
     const auto response = ask_raw(
-        "POST /v1/jobs HTTP/1.1\r\nHost: h\r\nContent-Type: text/plain\r\nContent-Length: 2\r\n\r\n{}");
+        "POST /v1/jobs HTTP/1.1\r\nHost: h\r\nContent-Type: text/plain\r\nContent-Length: "
+        "2\r\n\r\n{}");
     EXPECT_TRUE(is_problem(response, 415, "media-type-not-supported")) << response.body;
 }
 
@@ -63,8 +64,8 @@ TEST_F(JobRoutesTest, ListGoesFromPageToPage) {
 
 TEST_F(JobRoutesTest, ListRefusesWhatItDoesNotKnow) {
     start();
-    for (const char* query : {"limit=0", "limit=101", "limit=-1", "limit=1e1", "limit=99999999999",
-                              "state=asleep"}) {
+    for (const char* query :
+         {"limit=0", "limit=101", "limit=-1", "limit=1e1", "limit=99999999999", "state=asleep"}) {
         EXPECT_TRUE(is_problem(ask("GET", std::string("/v1/jobs?") + query), 422, "invalid-query"))
             << query;
     }
@@ -74,8 +75,9 @@ TEST_F(JobRoutesTest, ListRefusesWhatItDoesNotKnow) {
 TEST_F(JobRoutesTest, WhatIsNoUuidIsNotFound) {
     start();
     const JobId id = jobs.add();
-    for (const std::string& bad : {std::string("x"), id + "0", id.substr(1), std::string("../jobs"),
-                                   std::string("%00"), std::string("01890000-0000-7000-8000-ZZZZZZZZZZZZ")}) {
+    for (const std::string& bad :
+         {std::string("x"), id + "0", id.substr(1), std::string("../jobs"), std::string("%00"),
+          std::string("01890000-0000-7000-8000-ZZZZZZZZZZZZ")}) {
         EXPECT_TRUE(is_problem(ask("GET", path_of(bad)), 404, "not-found")) << bad;
     }
     const JobId unknown = "01890000-0000-7000-8000-ffffffffffff";

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// The daemon's page: submit a scene, follow its events, look at what comes.
+import { clearJob, element, make, percent, showLinks, showPicture, showProgress, showReport } from "/job_view.js";
+
+const ball = {
+  format: "bouguer-scene/1", name: "amber ball", units: "cm",
+  camera: { type: "perspective", from: [0, 6, 22], at: [0, 2.6, 0], up: [0, 1, 0], fov_deg: 30, resolution: [640, 480] },
+  spectra: { amber: { wavelengths_nm: [400, 500, 600, 700], values: [0.2, 0.5, 0.93, 0.95] } },
+  materials: {
+    glass: { type: "hall", reflectance: 1, transmittance: 1, k_sr: 0.1, k_st: 0.9, n: 20, ior: 1.3,
+             absorption: { transmittance: "amber", thickness: 2 } },
+    floor: { type: "hall", reflectance: { srgb: [0.8, 0.75, 0.7] }, k_sr: 0.8, n: 1 },
+    tile: { type: "hall", reflectance: { srgb: [0.2, 0.35, 0.5] }, k_sr: 0.8, n: 1 },
+  },
+  objects: [
+    { name: "ball", shape: { type: "sphere", center: [0, 3, 0], radius: 3 }, material: "glass" },
+    { name: "block", shape: { type: "box", min: [3.5, 0, -5], max: [6, 2.5, -2.5] }, material: "tile" },
+    { name: "floor", shape: { type: "plane", point: [0, 0, 0], normal: [0, 1, 0] }, material: "floor" },
+  ],
+  lights: [{ type: "point", position: [10, 20, 15], intensity: { spectrum: "D65", scale: 400 } }],
+  ambient: { k_a: 0.3, weights: "hemisphere" },
+};
+
+let stream = null;
+let follower = 0;  // grows with every job that is shown: late answers for another are dropped
+
+const say = (text) => { element("status").textContent = text; };
+
+/** The answer's JSON; throws the problem document of a refusal. */
+async function call(url, options) {
+  const response = await fetch(url, options);
+  const body = await response.json();
+  if (!response.ok) throw body;
+  return body;
+}
+const post = (url, body) => call(url, { method: "POST", headers: { "Content-Type": "application/json" }, body });
+
+/** RFC 9457: one line a problem, each with its JSON pointer. */
+function showProblems(problem) {
+  const errors = problem.errors ?? [{ detail: problem.detail ?? problem.message ?? String(problem) }];
+  element("problems").replaceChildren(...errors.map((error) => {
+    const item = make("li", "");
+    if (error.pointer !== undefined) item.append(make("code", error.pointer || "/"), " ");
+    item.append([error.detail, error.allowed && `allowed: ${error.allowed}`].filter(Boolean).join("; "));
+    return item;
+  }));
+}
+
+/** The text of the editor as a job: a bare scene gets the stop rule of the form. */
+function jobText() {
+  const text = element("document").value;
+  const parsed = JSON.parse(text);
+  if (parsed.format !== "bouguer-scene/1") return text;
+  const stop = { samples: Number(element("samples").value) };
+  if (element("error").value) stop.error = Number(element("error").value) / 100;
+  return JSON.stringify({ format: "bouguer-job/1", scene: parsed, stop });
+}
+
+function stopFollowing() {
+  stream?.close();
+  stream = null;
+  element("cancel").disabled = true;
+}
+
+async function onEnd(job) {
+  stopFollowing();
+  const view = await call(job);
+  if (view.state === "done") element("bar").value = 1;
+  else say(`The job ended as ${view.state}${view.failure ? `: ${view.failure}` : "."}`);
+  if (view.images.length > 0) {
+    showPicture(job, `${view.revision}-end`);
+    showLinks(job);
+  }
+  await showReport(job);
+  await showJobs();
+}
+
+/** Shows a job from now until it ends. */
+function follow(id, name) {
+  stopFollowing();
+  clearJob();
+  const mine = ++follower;
+  const job = `/v1/jobs/${id}`;
+  element("title").textContent = name || "Picture";
+  element("cancel").disabled = false;
+  element("cancel").onclick = () => call(`${job}/cancel`, { method: "POST" }).catch(showProblems);
+  stream = new EventSource(`${job}/events`);
+  const on = (type, action) => stream.addEventListener(type, (event) => {
+    if (mine === follower) action(JSON.parse(event.data), event);
+  });
+  on("snapshot", (view) => {
+    showProgress(view.progress);
+    if (view.images.length > 0) showPicture(job, `${view.revision}-${view.progress.pass}`);
+    showReport(job);
+  });
+  on("progress", (data) => showProgress(data.progress));
+  on("preview", (data, event) => {
+    showProgress(data.progress);
+    showPicture(job, event.lastEventId);
+    showReport(job);
+  });
+  on("done", () => onEnd(job));
+}
+
+function jobRow(view) {
+  const row = make("tr", "");
+  const error = view.progress.relative_rmse;
+  const open = make("button", "Show");
+  open.type = "button";
+  open.addEventListener("click", () => follow(view.id, view.name));
+  const action = make("td", "");
+  action.append(open);
+  row.append(make("td", view.name || "unnamed"), make("td", view.state, `state-${view.state}`), make("td", view.progress.samples || ""),
+             make("td", error ? percent(error.value, 3) : ""), make("td", new Date(view.created).toLocaleString()), action);
+  return row;
+}
+
+async function showJobs() {
+  const page = await call("/v1/jobs?limit=10");
+  element("jobs").tBodies[0].replaceChildren(...page.jobs.map(jobRow));
+}
+
+async function showReadiness() {
+  const badge = element("ready");
+  try {
+    const response = await fetch("/readyz");
+    const { status, queued } = await response.json();
+    badge.textContent = queued > 0 ? `${status}, ${queued} waiting` : status;
+    badge.className = `badge ${response.ok ? "good" : "bad"}`;
+  } catch {
+    badge.textContent = "cannot be reached";
+    badge.className = "badge bad";
+  }
+}
+
+async function showExample() {
+  const isBall = element("example").value === "ball";
+  element("document").value = isBall ? JSON.stringify(ball, null, 2) : await (await fetch("/examples/figure-4d.json")).text();
+}
+
+/** Runs an action of the form; what it throws is shown. */
+async function attempt(action) {
+  element("problems").replaceChildren();
+  try {
+    await action();
+  } catch (problem) {
+    showProblems(problem);
+  }
+}
+
+element("form").addEventListener("submit", (event) => {
+  event.preventDefault();
+  attempt(async () => {
+    const view = await post("/v1/jobs", jobText());
+    follow(view.id, view.name);
+    await showJobs();
+  });
+});
+element("validate").addEventListener("click", () => attempt(async () => {
+  const answer = await post("/v1/scenes/validate", jobText());
+  const kernel = answer.plan ? ` It would run ${answer.plan.kernel}.` : "";
+  element("problems").replaceChildren(make("li", `The document is accepted.${kernel}`, "good"));
+}));
+element("file").addEventListener("change", async (event) => {
+  const [file] = event.target.files;
+  if (file) element("document").value = await file.text();
+});
+element("example").addEventListener("change", showExample);
+
+showExample();
+showReadiness();
+setInterval(showReadiness, 5000);
+showJobs().catch(showProblems);

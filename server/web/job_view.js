@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shows one job: progress, picture, error curve, health, plan.
+import { drawErrorPlot } from "/error_plot.js";
+
+export const element = (id) => document.getElementById(id);
+export const percent = (x, digits = 2) => `${(100 * x).toPrecision(digits)} %`;
+
+/** The answer's JSON, or null when there is nothing yet. */
+async function optional(url) {
+  const response = await fetch(url);
+  return response.ok ? response.json() : null;
+}
+
+function make(name, text, className) {
+  const made = document.createElement(name);
+  made.textContent = text;
+  if (className) made.className = className;
+  return made;
+}
+export { make };
+
+export function showProgress(progress) {
+  if (!progress) return;
+  element("bar").value = progress.fraction;
+  const parts = [`${(100 * progress.fraction).toFixed(0)} %`, `${progress.samples} samples a pixel`, `${progress.seconds.toFixed(1)} s`];
+  if (progress.seconds_left != null) parts.push(`${progress.seconds_left.toFixed(1)} s left`);
+  if (progress.relative_rmse) parts.push(`error ${percent(progress.relative_rmse.value, 3)}`);
+  element("status").textContent = parts.join(" · ");
+}
+
+/** `version` tells the browser that the picture is another one. */
+export function showPicture(job, version) {
+  const next = new Image();
+  next.addEventListener("load", () => {
+    element("picture").src = next.src;
+    element("picture").hidden = false;
+  });
+  next.src = `${job}/image.png?v=${encodeURIComponent(version)}`;
+}
+
+const healthRows = [
+  ["samples", (h) => h.samples],
+  ["rejected: not a number", (h) => h.rejected.nan, true],
+  ["rejected: infinite", (h) => h.rejected.infinite, true],
+  ["rejected: negative", (h) => h.rejected.negative, true],
+  ["rays cut by depth", (h) => h.rays_cut_by_depth],
+  ["rays cut by threshold", (h) => h.rays_cut_by_threshold],
+  ["shadow rays cut", (h) => h.shadow_rays_cut, true],
+  ["unmatched exits", (h) => h.unmatched_exits, true],
+  ["triangles dropped", (h) => h.dropped_triangles, true],
+  ["total reflections", (h) => h.total_reflections],
+];
+
+function showHealth(health) {
+  element("health").replaceChildren(...healthRows.flatMap(([name, value, isBad]) => {
+    const n = value(health) ?? 0;
+    return [make("dt", name), make("dd", n.toLocaleString("en"), isBad && n > 0 ? "bad" : "")];
+  }));
+}
+
+function showPlan(plan) {
+  element("kernel").textContent =
+    `${plan.kernel} · ${plan.values_per_path} values a path (${plan.basis}) · ${plan.triangles.toLocaleString("en")} triangles`;
+  element("plan").tBodies[0].replaceChildren(...plan.items.map((item) => {
+    const row = make("tr", "", item.needed ? "" : "off");
+    row.append(make("td", item.needed ? "needed" : "left out"), make("td", item.feature), make("td", item.reason));
+    return row;
+  }));
+}
+
+/** Error curve, health and plan as they stand. */
+export async function showReport(job) {
+  const [error, health, plan] = await Promise.all(["error.json", "health", "plan"].map((name) => optional(`${job}/${name}`)));
+  if (error) drawErrorPlot(element("plot"), error.points);
+  if (health) showHealth(health);
+  if (plan) showPlan(plan);
+}
+
+export function showLinks(job) {
+  for (const [id, path] of [["png", "image.png"], ["exr", "image.exr"], ["report", "report"], ["csv", "error.csv"]]) {
+    element(id).href = `${job}/${path}`;
+  }
+  element("links").hidden = false;
+}
+
+export function clearJob() {
+  element("bar").value = 0;
+  element("links").hidden = true;
+  element("picture").hidden = true;
+  for (const id of ["plot", "health", "kernel"]) element(id).replaceChildren();
+  element("plan").tBodies[0].replaceChildren();
+}
