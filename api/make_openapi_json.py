@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Makes api/openapi.json of api/openapi.yaml and the JSON Schemas beside it: one document that stands alone, which the
+daemon serves. Run it after every change of those files; it needs PyYAML.
+
+    api/make_openapi_json.py            writes api/openapi.json
+    api/make_openapi_json.py --check    fails when api/openapi.json is not what it would write
+"""
+import json
+import pathlib
+import sys
+
+import yaml
+
+FOLDER = pathlib.Path(__file__).resolve().parent
+SCHEMAS = {"scene.schema.json": "Scene", "job.schema.json": "Job"}
+
+
+def component_of(ref, file):
+    """The reference `ref` of the file `file` as one into the components of the whole."""
+    target, _, fragment = ref.partition("#")
+    target = target or file
+    if target not in SCHEMAS:
+        return ref
+    if not fragment:
+        return "#/components/schemas/" + SCHEMAS[target]
+    return "#/components/schemas/" + fragment.removeprefix("/$defs/")
+
+
+def relinked(node, file):
+    """A copy of `node`, a part of the file `file`, whose references lead into the whole."""
+    if isinstance(node, list):
+        return [relinked(item, file) for item in node]
+    if not isinstance(node, dict):
+        return node
+    return {
+        key: component_of(value, file) if key == "$ref" and isinstance(value, str) else relinked(value, file)
+        for key, value in node.items()
+        if key != "$schema"
+    }
+
+
+def bundle():
+    whole = relinked(yaml.safe_load((FOLDER / "openapi.yaml").read_text()), "openapi.yaml")
+    components = whole["components"]["schemas"]
+    for file, name in SCHEMAS.items():
+        schema = json.loads((FOLDER / file).read_text())
+        parts = {name: schema, **schema.pop("$defs")}
+        for part, definition in parts.items():
+            if part in components:
+                sys.exit(f"two schemas are called {part}")
+            components[part] = relinked(definition, file)
+    return json.dumps(whole, indent=1, ensure_ascii=False) + "\n"
+
+
+def main():
+    target = FOLDER / "openapi.json"
+    text = bundle()
+    if sys.argv[1:] == ["--check"]:
+        if not target.exists() or target.read_text() != text:
+            sys.exit("api/openapi.json is not what api/make_openapi_json.py makes: run it")
+    elif sys.argv[1:]:
+        sys.exit(__doc__)
+    else:
+        target.write_text(text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "api/openapi.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "api/limits.h"
+#include "api/writers.h"
+
+namespace bouguer::api {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(OpenApi, IsTheFileOfTheRepository) {
+    std::ifstream file(BOUGUER_SOURCE_DIR "/api/openapi.json");
+    std::ostringstream text;
+    text << file.rdbuf();
+    EXPECT_EQ(openapi_json(), text.str());
+}
+
+TEST(OpenApi, StandsAlone) {
+    const Json whole = Json::parse(openapi_json());
+    EXPECT_EQ(whole["openapi"], "3.1.0");
+    EXPECT_TRUE(whole["paths"].contains("/v1/jobs/{id}/error.csv"));
+    for (const auto& [place, value] : whole.flatten().items()) {
+        if (!place.ends_with("/$ref")) continue;
+        const auto target = value.get<std::string>();
+        ASSERT_TRUE(target.starts_with("#/")) << place << " " << target;
+        EXPECT_TRUE(whole.contains(Json::json_pointer(target.substr(1)))) << place << " " << target;
+    }
+}
+
+// The numbers that the schemas give are those that the readers enforce.
+TEST(OpenApi, GivesTheLimits) {
+    const Json schemas = Json::parse(openapi_json())["components"]["schemas"];
+    const Limits limits;
+    const auto& scene = schemas["Scene"]["properties"];
+    EXPECT_EQ(scene["spectra"]["maxProperties"], limits.spectra);
+    EXPECT_EQ(scene["materials"]["maxProperties"], limits.materials);
+    EXPECT_EQ(scene["objects"]["maxItems"], limits.objects);
+    EXPECT_EQ(scene["lights"]["maxItems"], limits.lights);
+    EXPECT_EQ(scene["name"]["maxLength"], limits.name_bytes);
+    EXPECT_EQ(schemas["Object"]["properties"]["instances"]["maxItems"], limits.instances);
+    EXPECT_EQ(schemas["Mesh"]["properties"]["positions"]["maxItems"], limits.mesh_vertices);
+    EXPECT_EQ(schemas["Mesh"]["properties"]["triangles"]["maxItems"], limits.mesh_triangles);
+    EXPECT_EQ(schemas["SpectrumValues"]["maxItems"], limits.spectrum_samples);
+    EXPECT_EQ(schemas["Resolution"]["items"]["maximum"], limits.resolution);
+    EXPECT_EQ(schemas["Transform"]["oneOf"][1]["maxItems"], limits.transform_steps);
+    EXPECT_EQ(schemas["StopRule"]["properties"]["samples"]["maximum"], limits.samples);
+    EXPECT_EQ(schemas["StopRule"]["properties"]["seconds"]["maximum"], limits.seconds);
+    EXPECT_EQ(schemas["Integrator"]["properties"]["max_depth"]["maximum"], limits.max_depth);
+    EXPECT_EQ(schemas["Job"]["properties"]["labels"]["maxProperties"], limits.labels);
+}
+
+TEST(LibraryWriter, ListsWhatDocumentsMayName) {
+    const Json library = Json::parse(library_json());
+    std::vector<std::string> names;
+    for (const Json& spectrum : library["spectra"]) names.push_back(spectrum["name"]);
+    EXPECT_NE(std::find(names.begin(), names.end(), "D65"), names.end());
+    EXPECT_EQ(library["displays"][0]["name"], "srgb");
+    // The schema names the same displays.
+    const Json schema = Json::parse(openapi_json())["components"]["schemas"]["Output"];
+    for (const Json& display : library["displays"]) {
+        const Json& known = schema["properties"]["display"]["enum"];
+        EXPECT_NE(std::find(known.begin(), known.end(), display["name"]), known.end())
+            << display["name"];
+    }
+}
+
+}  // namespace
+}  // namespace bouguer::api
