@@ -26,7 +26,8 @@ TEST(OpenApi, StandsAlone) {
     const Json whole = Json::parse(openapi_json());
     EXPECT_EQ(whole["openapi"], "3.1.0");
     EXPECT_TRUE(whole["paths"].contains("/v1/jobs/{id}/error.csv"));
-    for (const auto& [place, value] : whole.flatten().items()) {
+    const Json leaves = whole.flatten();
+    for (const auto& [place, value] : leaves.items()) {
         if (!place.ends_with("/$ref")) continue;
         const auto target = value.get<std::string>();
         ASSERT_TRUE(target.starts_with("#/")) << place << " " << target;
