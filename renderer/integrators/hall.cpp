@@ -22,12 +22,16 @@ class HallScratch final : public TraceScratch {
         : radiance(blocks),
           light(blocks),
           blocks_(blocks),
-          throughput_(blocks * static_cast<std::size_t>(max_depth + 2)) {}
+          throughput_(blocks * static_cast<std::size_t>(max_depth + 2)),
+          peaks_(static_cast<std::size_t>(max_depth + 2)) {}
 
     /// The weight with which a ray of `depth` reaches the camera.
     Float8* throughput(int depth) {
         return throughput_.data() + blocks_ * static_cast<std::size_t>(depth);
     }
+
+    /// The largest of its numbers, before absorption on the ray's own way.
+    float& peak(int depth) { return peaks_[static_cast<std::size_t>(depth)]; }
 
     Float8Vector radiance;  ///< of the sample, so far
     Float8Vector light;     ///< tint of a shadow ray, or the ambient illuminant
@@ -35,6 +39,7 @@ class HallScratch final : public TraceScratch {
   private:
     std::size_t blocks_;
     Float8Vector throughput_;
+    std::vector<float> peaks_;
 };
 
 /// A hit seen from the side that the ray comes from.
@@ -74,6 +79,7 @@ class HallWalk {
     Xyz run(const Ray& camera_ray) {
         std::fill(scratch_.radiance.begin(), scratch_.radiance.end(), splat(0));
         std::fill_n(scratch_.throughput(0), blocks_, splat(1));
+        scratch_.peak(0) = 1;
         follow(camera_ray, 0, MediumStack{}, 1);
         return basis_.to_xyz(reinterpret_cast<const float*>(scratch_.radiance.data()));
     }
@@ -243,11 +249,15 @@ class HallWalk {
             }
             return;
         }
-        const int rays = std::get<HemisphereWeights>(ambient.weights).rays;
+        // A point that weighs little in the sample gets few of the rays.
+        const int most = std::get<HemisphereWeights>(ambient.weights).rays;
+        const int rays =
+            std::clamp(static_cast<int>(std::ceil(most * scratch_.peak(depth))), 1, most);
         const Frame frame(comes_out ? -at.n : at.n);
         for (int i = 0; i < rays; ++i) {
             const Vec2 u =
-                sampler_.get_2d(mix(node) + kDimensionAmbient + static_cast<std::uint64_t>(i));
+                sampler_.get_2d(mix(node) + kDimensionAmbient, static_cast<std::uint32_t>(i),
+                                static_cast<std::uint32_t>(most));
             const Vec3 d = frame.to_world(sample_cosine_power(u, 1));
             ++counters_.rays;
             const auto seen = scene_.geometry().intersect({leave_surface(at.hit, d), d});
@@ -302,6 +312,7 @@ class HallWalk {
     bool weigh(int depth, float ka, const Float8* a, float kb, const Float8* b) {
         Float8* to = scratch_.throughput(depth + 1);
         const float peak = blend(to, scratch_.throughput(depth), ka, a, kb, b, blocks_);
+        scratch_.peak(depth + 1) = peak;
         if (peak == 0) return false;
         if (depth >= settings_.max_depth || nodes_ >= kMaxNodesPerSample) {
             ++counters_.rays_cut_by_depth;

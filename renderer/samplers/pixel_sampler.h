@@ -19,8 +19,11 @@ class PixelSampler {
 
     /// A point of [0, 1)^2. Dimensions with different numbers are independent; any 64-bit number
     /// will do.
-    [[nodiscard]] Vec2 get_2d(std::uint64_t dimension) const {
-        return scrambled_sobol(index_, mix(key_ ^ mix(dimension + 1)));
+    [[nodiscard]] Vec2 get_2d(std::uint64_t dimension) const { return get_2d(dimension, 0, 1); }
+    /// Point `i` of the `count` that every sample takes of this dimension; together they are as
+    /// evenly spread as count times the samples.
+    [[nodiscard]] Vec2 get_2d(std::uint64_t dimension, std::uint32_t i, std::uint32_t count) const {
+        return scrambled_sobol(index_ * count + i, mix(key_ ^ mix(dimension + 1)));
     }
 
   private:

@@ -61,7 +61,8 @@ struct ConstantEnvironment {
 };
 
 /// Weights k_i from the share of the cosine-weighted hemisphere that each neighbour covers (its
-/// form factor), by `rays` random directions a shaded point.
+/// form factor), by `rays` random directions a shaded point; fewer where the point weighs little in
+/// the sample.
 struct HemisphereWeights {
     int rays = 1;
 };

@@ -309,6 +309,18 @@ TEST(HallAmbient, WeighsNeighboursByTheHemisphereTheyCover) {
                 1e-3);
 }
 
+// Eight rays a sample find the same weight in an eighth of the samples.
+TEST(HallAmbient, MaySpendSeveralRaysASample) {
+    SceneBuilder builder;
+    builder.add(Plane{{0, 0, 0}, {0, 0, 1}}, matt(0.9))
+        .add(Disk{{0, 0, 2}, {0, 0, 1}, 1}, matt(0.5));
+    builder.description.ambient = ambient(1, 1);
+    builder.description.ambient->weights = HemisphereWeights{8};
+    const Seen seen = look(*builder.build(), {5, 0, 1}, {0, 0, 0}, exact_settings(), 512);
+    EXPECT_NEAR(seen.y, 0.2 * 0.5, 1e-3);
+    EXPECT_EQ(seen.counters.rays, 9 * 512U);
+}
+
 TEST(HallAmbient, IsZeroWithoutNeighbours) {
     SceneBuilder builder;
     builder.add(Sphere{{0, 0, 0}, 1}, matt(0.9));
