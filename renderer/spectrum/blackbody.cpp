@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "renderer/spectrum/spectra.h"
 
@@ -34,6 +37,25 @@ class BlackbodySpectrum final : public Spectrum {
     double temperature_K_;
 };
 
+/// Planck's law as a radiance.
+class BlackbodyRadiance final : public Spectrum {
+  public:
+    explicit BlackbodyRadiance(double temperature_K) : temperature_K_(temperature_K) {}
+
+    [[nodiscard]] double at(double lambda_nm) const override {
+        return planck_W_per_m3_sr(lambda_nm, temperature_K_) * 1e-9;  // per nm, not per m
+    }
+
+  private:
+    double temperature_K_;
+};
+
+tl::unexpected<Error> refuse(std::string_view code, std::string detail, std::string allowed) {
+    Problem problem{"/blackbody_K", std::string(code), std::move(detail), "", std::move(allowed)};
+    return tl::unexpected<Error>(
+        Error{ErrorKind::InvalidInput, problem.detail, {std::move(problem)}, {}});
+}
+
 }  // namespace
 
 double planck_W_per_m3_sr(double lambda_nm, double temperature_K) {
@@ -45,15 +67,20 @@ double planck_W_per_m3_sr(double lambda_nm, double temperature_K) {
 Result<SpectrumPtr> blackbody_spectrum(double temperature_K) {
     if (temperature_K >= kBlackbodyMin_K && temperature_K <= kBlackbodyMax_K)
         return std::make_shared<BlackbodySpectrum>(temperature_K);
-    const bool is_finite = std::isfinite(temperature_K);
-    Problem problem{"/blackbody_K", is_finite ? "out-of-range" : "not-finite",
-                    "a black body's temperature must be in [100, 1e9] K", "",
-                    "a number in [100, 1e9]"};
+    std::string detail = "a black body's temperature must be in [100, 1e9] K";
     if (temperature_K > 0 && temperature_K < kBlackbodyMin_K)
-        problem.detail +=
+        detail +=
             ": a colder one gives so little at 560 nm that its spectrum relative to that overflows";
-    return tl::unexpected<Error>(
-        Error{ErrorKind::InvalidInput, problem.detail, {std::move(problem)}, {}});
+    return refuse(std::isfinite(temperature_K) ? "out-of-range" : "not-finite", std::move(detail),
+                  "a number in [100, 1e9]");
+}
+
+Result<SpectrumPtr> blackbody_radiance_spectrum(double temperature_K) {
+    if (temperature_K > 0 && temperature_K <= kBlackbodyMax_K)
+        return std::make_shared<BlackbodyRadiance>(temperature_K);
+    return refuse(std::isfinite(temperature_K) ? "out-of-range" : "not-finite",
+                  "a black body's temperature must be above 0 and at most 1e9 K",
+                  "a number in (0, 1e9]");
 }
 
 }  // namespace bouguer::renderer

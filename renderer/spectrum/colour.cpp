@@ -72,13 +72,14 @@ std::vector<QuadratureNode> quadrature(double step_nm, const Observer& observer)
 }
 
 Xyz xyz_of(const Spectrum& radiance, double step_nm, const Observer& observer) {
-    return integrate(step_nm, observer, [&](double lambda_nm) { return radiance.at(lambda_nm); });
+    return integrate(step_nm, observer,
+                     [&](double lambda_nm) { return radiance.tent_mean(lambda_nm, step_nm); });
 }
 
 Xyz xyz_of_reflectance(const Spectrum& reflectance, const Spectrum& illuminant, double step_nm,
                        const Observer& observer) {
     const Xyz colour = integrate(step_nm, observer, [&](double lambda_nm) {
-        return reflectance.at(lambda_nm) * illuminant.at(lambda_nm);
+        return reflectance.tent_mean(lambda_nm, step_nm) * illuminant.tent_mean(lambda_nm, step_nm);
     });
     return colour * (1 / xyz_of(illuminant, step_nm, observer).y);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "renderer/spectrum/spectra.h"
@@ -51,6 +52,13 @@ void check_values(const std::vector<double>& values, std::vector<Problem>& probl
                             std::to_string(values.size()), "two or more numbers"});
 }
 
+double least_spacing(const std::vector<double>& wavelengths_nm) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < wavelengths_nm.size(); ++i)
+        least = std::min(least, wavelengths_nm[i] - wavelengths_nm[i - 1]);
+    return least;
+}
+
 /// The spectrum, or every problem at once.
 Result<SpectrumPtr> make_sampled(std::vector<double> wavelengths_nm, std::vector<double> values,
                                  std::vector<Problem> problems) {
@@ -66,7 +74,8 @@ SampledSpectrum::SampledSpectrum(std::vector<double> wavelengths_nm, std::vector
     : wavelengths_nm_(std::move(wavelengths_nm)),
       values_(std::move(values)),
       is_constant_(std::adjacent_find(values_.begin(), values_.end(), std::not_equal_to<>()) ==
-                   values_.end()) {}
+                   values_.end()),
+      spacing_nm_(least_spacing(wavelengths_nm_)) {}
 
 double SampledSpectrum::at(double lambda_nm) const {
     const auto next = std::upper_bound(wavelengths_nm_.begin(), wavelengths_nm_.end(), lambda_nm);
@@ -76,6 +85,29 @@ double SampledSpectrum::at(double lambda_nm) const {
     const double t =
         (lambda_nm - wavelengths_nm_[i - 1]) / (wavelengths_nm_[i] - wavelengths_nm_[i - 1]);
     return (1 - t) * values_[i - 1] + t * values_[i];
+}
+
+double SampledSpectrum::tent_mean(double lambda_nm, double step_nm) const {
+    // A hair of tolerance: samples at the step itself are seen by the nodes as they are.
+    if (is_constant_ || spacing_nm_ > step_nm * (1 - 1e-9)) return at(lambda_nm);
+    const auto weighted = [&](double w) {
+        return at(w) * (1 - std::abs(w - lambda_nm) / step_nm) / step_nm;
+    };
+    // Between a sample, the tip of the tent and its ends the integrand is a parabola at most:
+    // Simpson's rule is exact.
+    double integral = 0, from = lambda_nm - step_nm;
+    const auto add_up_to = [&](double to) {
+        if (!(to > from)) return;
+        integral +=
+            (to - from) / 6 * (weighted(from) + 4 * weighted((from + to) / 2) + weighted(to));
+        from = to;
+    };
+    for (const double half_end : {lambda_nm, lambda_nm + step_nm}) {
+        auto next = std::upper_bound(wavelengths_nm_.begin(), wavelengths_nm_.end(), from);
+        for (; next != wavelengths_nm_.end() && *next < half_end; ++next) add_up_to(*next);
+        add_up_to(half_end);
+    }
+    return std::max(integral, 0.0);
 }
 
 Result<SpectrumPtr> sampled_spectrum(std::vector<double> wavelengths_nm,

@@ -17,11 +17,14 @@ class SampledSpectrum final : public Spectrum {
     SampledSpectrum(std::vector<double> wavelengths_nm, std::vector<double> values);
 
     [[nodiscard]] double at(double lambda_nm) const override;
+    /// at() where the samples stand a step apart or more; closer ones are averaged, exactly.
+    [[nodiscard]] double tent_mean(double lambda_nm, double step_nm) const override;
     [[nodiscard]] bool is_constant() const override { return is_constant_; }
 
   private:
     std::vector<double> wavelengths_nm_, values_;
     bool is_constant_;
+    double spacing_nm_;  ///< least distance of two samples
 };
 
 }  // namespace bouguer::renderer

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "renderer/spectrum/colour.h"
 #include "renderer/spectrum/colour_difference.h"
-#include "renderer/spectrum/display.h"
 #include "renderer/spectrum/quadrature.h"
 #include "renderer/spectrum/spectra.h"
 
@@ -176,31 +174,6 @@ Triple fit_smooth_reflectance(const Triple& linear_rgb) {
         c = improve(c, target);
     }
     return c;
-}
-
-Result<SpectrumPtr> srgb_spectrum(double r, double g, double b, double* round_trip_delta_e) {
-    const Triple encoded{r, g, b};
-    std::vector<Problem> problems;
-    for (std::size_t i = 0; i < 3; ++i)
-        if (!(encoded[i] >= 0 && encoded[i] <= 1))
-            problems.push_back({"/srgb/" + std::to_string(i),
-                                std::isfinite(encoded[i]) ? "out-of-range" : "not-finite",
-                                "an sRGB component must be in [0, 1]", std::to_string(encoded[i]),
-                                "a number in [0, 1]"});
-    if (!problems.empty())
-        return tl::unexpected<Error>(
-            Error{ErrorKind::InvalidInput, "not an sRGB colour", std::move(problems), {}});
-
-    Triple linear = encoded;
-    for (double& v : linear) v = srgb_decode(v);
-    SpectrumPtr spectrum;
-    if (r == g && g == b)
-        spectrum = constant_spectrum(linear[0]);  // exact, black and white included
-    else
-        spectrum = std::make_shared<SmoothReflectance>(fit_smooth_reflectance(linear));
-    if (round_trip_delta_e)
-        *round_trip_delta_e = delta_e_1976(linear, rec709_of_reflectance(*spectrum));
-    return spectrum;
 }
 
 }  // namespace bouguer::renderer

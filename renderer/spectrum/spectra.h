@@ -34,11 +34,29 @@ inline constexpr double kBlackbodyMax_K = 1e9;
 /// every temperature above 0 K.
 double planck_W_per_m3_sr(double lambda_nm, double temperature_K);
 
+/// Planck's law itself as a radiance, W m^-2 sr^-1 nm^-1, of a body in (0, 1e9] K; a cold one gives
+/// 0 where its light is below what a number can hold.
+Result<SpectrumPtr> blackbody_radiance_spectrum(double temperature_K);
+
+/// peak exp(-(lambda - center)^2 / (2 sigma^2)) with the full width at half maximum `fwhm_nm`; both
+/// above 0, `peak` >= 0. Quadratures find it however narrow it is.
+Result<SpectrumPtr> gaussian_spectrum(double center_nm, double fwhm_nm, double peak);
+
+/// An emission line: a rectangle `width_nm` wide about `line_nm` whose integral over wavelength is
+/// `integral` (unit of the quantity x nm). Quadratures find it however narrow it is.
+Result<SpectrumPtr> line_spectrum(double line_nm, double width_nm, double integral);
+
 /// A smooth reflectance in [0, 1] whose colour under D65 is the display colour r, g, b
-/// (sRGB-encoded, [0, 1]) [Jakob and Hanika 2019]. `round_trip_delta_e` gets the CIEDE2000-free CIE
-/// 1976 difference that remains.
+/// (sRGB-encoded, [0, 1]) [Jakob and Hanika 2019]. `round_trip_delta_e` gets the CIE 1976
+/// difference that remains.
 Result<SpectrumPtr> srgb_spectrum(double r, double g, double b,
                                   double* round_trip_delta_e = nullptr);
+
+/// srgb_spectrum() of "#rgb" or "#rrggbb", hexadecimal. Pointer of a refusal: /hex.
+Result<SpectrumPtr> hex_spectrum(std::string_view hex, double* round_trip_delta_e = nullptr);
+
+/// a * b, e.g. a lamp behind a filter.
+SpectrumPtr product_spectrum(SpectrumPtr a, SpectrumPtr b);
 
 /// factor * base.
 SpectrumPtr scaled_spectrum(SpectrumPtr base, double factor);

@@ -25,6 +25,7 @@ std::vector<float> to_floats(const std::array<double, 3>& rgb) {
 SpectralBasis SpectralBasis::wavelengths(double step_nm, const Observer& observer) {
     SpectralBasis basis;
     basis.name_ = "wavelengths";
+    basis.step_nm_ = step_nm;
     for (const QuadratureNode& node : quadrature(step_nm, observer)) {
         basis.lambda_nm_.push_back(node.lambda_nm);
         basis.weights_.push_back({node.weight.x, node.weight.y, node.weight.z});
@@ -60,7 +61,8 @@ void SpectralBasis::split_weights() {
 std::vector<float> SpectralBasis::sample(const Spectrum& s) const {
     std::vector<float> values;
     values.reserve(lambda_nm_.size());
-    for (const double lambda_nm : lambda_nm_) values.push_back(static_cast<float>(s.at(lambda_nm)));
+    for (const double lambda_nm : lambda_nm_)
+        values.push_back(static_cast<float>(s.tent_mean(lambda_nm, step_nm_)));
     return values;
 }
 

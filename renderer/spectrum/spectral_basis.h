@@ -47,10 +47,11 @@ class SpectralBasis {
   private:
     SpectralBasis() = default;
     void split_weights();                                              ///< fills columns_
-    [[nodiscard]] std::vector<float> sample(const Spectrum& s) const;  ///< at lambda_nm_
+    [[nodiscard]] std::vector<float> sample(const Spectrum& s) const;  ///< its tent means
 
     std::string name_;
     std::vector<double> lambda_nm_;  ///< of the quadrature; empty for rgb
+    double step_nm_ = 0;             ///< of the quadrature
     std::vector<std::array<double, 3>> weights_;
     std::array<std::vector<double>, 3> columns_;  ///< weights_ by component, as to_xyz() reads them
     const Spectrum* illuminant_ = nullptr;        ///< grey only; the scene outlives its bases

@@ -19,6 +19,14 @@ class Spectrum {
     /// The value at `lambda_nm`, finite for every wavelength of the rendered range.
     [[nodiscard]] virtual double at(double lambda_nm) const = 0;
 
+    /// The mean weighted by the tent that falls from `lambda_nm` to 0 at lambda_nm +- step_nm: what
+    /// a quadrature of that spacing takes for the spectrum, so that it misses no line, however
+    /// narrow: the nodes around a line share its energy by their distance. at() by default, which
+    /// is right for what is smooth over a step; what may be narrower overrides it.
+    [[nodiscard]] virtual double tent_mean(double lambda_nm, double /*step_nm*/) const {
+        return at(lambda_nm);
+    }
+
     /// Whether at() is the same for every wavelength: then one number stands for the spectrum.
     [[nodiscard]] virtual bool is_constant() const { return false; }
 

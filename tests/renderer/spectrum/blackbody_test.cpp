@@ -65,6 +65,15 @@ TEST(Blackbody, EveryAcceptedTemperatureIsFiniteEverywhere) {
     }
 }
 
+// From 1 K, whose visible light is below the smallest number, to 1e9 K: a radiance per nm.
+TEST(Blackbody, RadianceIsFiniteAtEveryTemperature) {
+    EXPECT_EQ((*blackbody_radiance_spectrum(1))->at(555), 0);
+    EXPECT_NEAR((*blackbody_radiance_spectrum(300))->at(555) / 6.695181e-32, 1, 1e-6);
+    EXPECT_NEAR((*blackbody_radiance_spectrum(1e9))->at(555) / 8.724819e10, 1, 1e-6);
+    for (const double temperature_K : {-1.0, 0.0, 1.1e9, HUGE_VAL})
+        EXPECT_FALSE(blackbody_radiance_spectrum(temperature_K));
+}
+
 TEST(Blackbody, RefusesWhatCannotBeWrittenDown) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     for (const double temperature_K : {kNan, -1.0, 0.0, 1.0, 99.9, 1.1e9, HUGE_VAL}) {

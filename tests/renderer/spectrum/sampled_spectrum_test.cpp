@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "renderer/spectrum/colour.h"
 #include "renderer/spectrum/spectra.h"
 
 namespace bouguer::renderer {
@@ -47,6 +48,39 @@ TEST(SampledSpectrum, RegularSamplesStandAtEqualSteps) {
     ASSERT_TRUE(s);
     EXPECT_EQ((*s)->at(410), 2);
     EXPECT_DOUBLE_EQ((*s)->at(415), 3);
+}
+
+// A triangle of area 0.2 about 546.1 nm between the nodes of a 5 nm quadrature: they share its
+// energy, and its mean wavelength stays.
+TEST(SampledSpectrum, FineSamplesAreNotMissedByCoarseNodes) {
+    const auto s = sampled_spectrum({545.9, 546.1, 546.3}, {0, 1, 0});
+    ASSERT_TRUE(s);
+    EXPECT_EQ((*s)->at(545), 0);
+    double integral = 0, mean_nm = 0;
+    for (double lambda_nm = 540; lambda_nm <= 555; lambda_nm += 5) {
+        integral += (*s)->tent_mean(lambda_nm, 5) * 5;
+        mean_nm += (*s)->tent_mean(lambda_nm, 5) * 5 * lambda_nm / 0.2;
+    }
+    EXPECT_NEAR(integral, 0.2, 1e-12);
+    EXPECT_NEAR(mean_nm, 546.1, 1e-9);
+}
+
+// A straight line's mean under a symmetric tent is its value at the middle.
+TEST(SampledSpectrum, TentMeanOfALineIsItsMiddle) {
+    const auto s = regular_spectrum(400, 1, {0, 1, 2, 3, 4, 5, 6, 7, 8});
+    EXPECT_NEAR((*s)->tent_mean(404, 2.5), 4, 1e-14);
+    // Samples a step apart are taken as they stand.
+    const auto spike = regular_spectrum(400, 5, {0, 1, 0});
+    EXPECT_EQ((*spike)->tent_mean(405, 5), 1);
+}
+
+// F11 has lines: samples taken every 10 nm miss them by 18 %.
+TEST(SampledSpectrum, LampsWithLinesKeepTheirColourAt10nm) {
+    const SpectrumPtr f11 = library_spectrum("F11");
+    const Xyz fine = xyz_of(*f11, 1), coarse = xyz_of(*f11, 10);
+    EXPECT_NEAR(coarse.x / fine.x, 1, 0.01);
+    EXPECT_NEAR(coarse.y / fine.y, 1, 0.01);
+    EXPECT_NEAR(coarse.z / fine.z, 1, 0.01);
 }
 
 TEST(SampledSpectrum, NamesEveryProblem) {

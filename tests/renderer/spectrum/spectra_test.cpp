@@ -28,6 +28,31 @@ TEST(Spectra, ScaledKnowsWhatItIsAMultipleOf) {
     EXPECT_TRUE(scaled_spectrum(constant_spectrum(2), 3)->is_constant());
 }
 
+TEST(Spectra, ProductsMultiply) {
+    const SpectrumPtr d65 = library_spectrum("D65"), glass = library_spectrum("IVG530");
+    EXPECT_DOUBLE_EQ(product_spectrum(d65, glass)->at(500), d65->at(500) * glass->at(500));
+    // With a constant it is a multiple, so the plan still sees the lamp's colour.
+    EXPECT_EQ(product_spectrum(d65, constant_spectrum(0.5))->as_multiple().base, d65.get());
+    EXPECT_EQ(product_spectrum(constant_spectrum(0.5), d65)->as_multiple().factor, 0.5);
+    EXPECT_TRUE(product_spectrum(constant_spectrum(2), constant_spectrum(3))->is_constant());
+}
+
+TEST(Spectra, HexIsSrgb) {
+    double delta_e = -1;
+    const auto s = hex_spectrum("#c08040", &delta_e);
+    ASSERT_TRUE(s);
+    EXPECT_LT(delta_e, 1e-6);
+    EXPECT_EQ((*s)->at(500), (*srgb_spectrum(0xc0 / 255.0, 0x80 / 255.0, 0x40 / 255.0))->at(500));
+    EXPECT_EQ((*hex_spectrum("#Fff"))->at(500), 1);
+    EXPECT_EQ((*hex_spectrum("#777"))->at(500), (*hex_spectrum("#777777"))->at(500));
+    for (const char* bad :
+         {"", "#", "c08040", "#c0804", "#c0804g", "#-1-1-1", "#c080400", "#c 8040"}) {
+        const auto refused = hex_spectrum(bad);
+        ASSERT_FALSE(refused) << bad;
+        EXPECT_EQ(refused.error().problems.at(0).pointer, "/hex");
+    }
+}
+
 TEST(Library, IlluminantsAreOneAt560) {
     for (const LibraryEntry& entry : library_entries()) {
         if (entry.kind != "illuminant") continue;

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gaussians and lines, and that no quadrature misses them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "renderer/core/vec3.h"
+#include "renderer/spectrum/colour.h"
+#include "renderer/spectrum/spectra.h"
+#include "renderer/spectrum/spectral_basis.h"
+
+namespace bouguer::renderer {
+namespace {
+
+/// Integral and mean wavelength of what the nodes of a quadrature see.
+struct Moments {
+    double integral = 0, mean_nm = 0;
+};
+Moments seen_by_nodes(const Spectrum& s, double step_nm) {
+    Moments m;
+    for (double lambda_nm = kLambdaMin_nm; lambda_nm <= kLambdaMax_nm; lambda_nm += step_nm) {
+        const double amount = s.tent_mean(lambda_nm, step_nm) * step_nm;
+        m.integral += amount;
+        m.mean_nm += amount * lambda_nm;
+    }
+    m.mean_nm /= m.integral;
+    return m;
+}
+
+TEST(Gaussian, HasItsWidthAndPeak) {
+    const auto s = gaussian_spectrum(550, 20, 3);
+    ASSERT_TRUE(s);
+    EXPECT_EQ((*s)->at(550), 3);
+    EXPECT_NEAR((*s)->at(540), 1.5, 1e-12);
+    EXPECT_NEAR((*s)->at(560), 1.5, 1e-12);
+}
+
+// The integral of a gaussian is peak sigma sqrt(2 pi), for any quadrature that does not miss it.
+TEST(Gaussian, KeepsItsEnergyAndPlaceHoweverNarrow) {
+    for (const double fwhm_nm : {1e-3, 0.1, 1.0, 5.0, 11.0, 12.0, 30.0}) {
+        const auto s = gaussian_spectrum(546.1, fwhm_nm, 2);
+        ASSERT_TRUE(s);
+        const double expected = 2 * fwhm_nm / std::sqrt(8 * std::log(2.0)) * std::sqrt(2 * kPi);
+        for (const double step_nm : {1.0, 5.0}) {
+            const Moments m = seen_by_nodes(**s, step_nm);
+            EXPECT_NEAR(m.integral / expected, 1, 1e-7) << fwhm_nm << " at " << step_nm;
+            EXPECT_NEAR(m.mean_nm, 546.1, 1e-6) << fwhm_nm << " at " << step_nm;
+        }
+    }
+}
+
+// The nodes around a line share it as linear interpolation does, so its colour is that of the
+// colour-matching functions between their 1 nm values, exactly.
+TEST(Line, HasTheColourOfTheObserverThere) {
+    for (const double width_nm : {1e-6, 0.1}) {
+        const auto s = line_spectrum(546.5, width_nm, 7);
+        ASSERT_TRUE(s);
+        const Xyz found = xyz_of(**s, 1);
+        const auto [x, y, z] = cie1931(546.5);
+        EXPECT_NEAR(found.x, 7 * x / kYIntegral_nm, 1e-9);
+        EXPECT_NEAR(found.y, 7 * y / kYIntegral_nm, 1e-9);
+        EXPECT_NEAR(found.z, 7 * z / kYIntegral_nm, 1e-9);
+        const Xyz coarse = xyz_of(**s, 5);
+        EXPECT_NEAR(coarse.y / found.y, 1, 2e-3);
+    }
+}
+
+TEST(Line, KeepsItsEnergyAndPlace) {
+    for (const double width_nm : {1e-6, 0.1, 3.0, 20.0}) {
+        const auto s = line_spectrum(588.3, width_nm, 4);
+        for (const double step_nm : {1.0, 5.0, 10.0}) {
+            const Moments m = seen_by_nodes(**s, step_nm);
+            EXPECT_NEAR(m.integral, 4, 1e-6);
+            EXPECT_NEAR(m.mean_nm, 588.3, 1e-5);
+        }
+    }
+    EXPECT_DOUBLE_EQ((*line_spectrum(500, 0.5, 4))->at(500.2), 8);
+    EXPECT_EQ((*line_spectrum(500, 0.5, 4))->at(500.3), 0);
+}
+
+// Light outside the range is no light.
+TEST(Line, OutsideTheRangeIsBlack) {
+    EXPECT_EQ(xyz_of(**line_spectrum(1064, 0.1, 1), 5), Xyz{});
+    EXPECT_EQ(xyz_of(**gaussian_spectrum(1064, 1, 1), 5), Xyz{});
+}
+
+// A path carries what xyz_of() sums, through factors and multiples too.
+TEST(Line, ReachesTheBasis) {
+    const SpectralBasis basis = SpectralBasis::wavelengths(5);
+    const SpectrumPtr lamp = scaled_spectrum(
+        product_spectrum(*line_spectrum(546.1, 0.1, 1), library_spectrum("IVG530")), 2);
+    const Xyz found = basis.to_xyz(basis.emission(*lamp).data());
+    EXPECT_NEAR(found.y, xyz_of(*lamp, 5).y, 1e-8);
+    EXPECT_NEAR(found.y,
+                2 * library_spectrum("IVG530")->at(546.1) * cie1931(546.1)[1] / kYIntegral_nm,
+                1e-4);
+}
+
+TEST(NarrowSpectra, RefuseWhatHasNoWidth) {
+    EXPECT_EQ(gaussian_spectrum(550, 0, 1).error().problems.at(0).pointer, "/fwhm_nm");
+    EXPECT_EQ(gaussian_spectrum(std::nan(""), -1, -1).error().problems.size(), 3U);
+    EXPECT_EQ(line_spectrum(550, -0.1, 1).error().problems.at(0).pointer, "/width_nm");
+    EXPECT_EQ(line_spectrum(0, 1, HUGE_VAL).error().problems.at(1).code, "not-finite");
+}
+
+}  // namespace
+}  // namespace bouguer::renderer
