@@ -2,25 +2,6 @@
 // The daemon's page: submit a scene, follow its events, look at what comes.
 import { clearJob, element, make, percent, showLinks, showPicture, showProgress, showReport } from "/job_view.js";
 
-const ball = {
-  format: "bouguer-scene/1", name: "amber ball", units: "cm",
-  camera: { type: "perspective", from: [0, 6, 22], at: [0, 2.6, 0], up: [0, 1, 0], fov_deg: 30, resolution: [640, 480] },
-  spectra: { amber: { wavelengths_nm: [400, 500, 600, 700], values: [0.2, 0.5, 0.93, 0.95] } },
-  materials: {
-    glass: { type: "hall", reflectance: 1, transmittance: 1, k_sr: 0.1, k_st: 0.9, n: 20, ior: 1.3,
-             absorption: { transmittance: "amber", thickness: 2 } },
-    floor: { type: "hall", reflectance: { srgb: [0.8, 0.75, 0.7] }, k_sr: 0.8, n: 1 },
-    tile: { type: "hall", reflectance: { srgb: [0.2, 0.35, 0.5] }, k_sr: 0.8, n: 1 },
-  },
-  objects: [
-    { name: "ball", shape: { type: "sphere", center: [0, 3, 0], radius: 3 }, material: "glass" },
-    { name: "block", shape: { type: "box", min: [3.5, 0, -5], max: [6, 2.5, -2.5] }, material: "tile" },
-    { name: "floor", shape: { type: "plane", point: [0, 0, 0], normal: [0, 1, 0] }, material: "floor" },
-  ],
-  lights: [{ type: "point", position: [10, 20, 15], intensity: { spectrum: "D65", scale: 400 } }],
-  ambient: { k_a: 0.3, weights: "hemisphere" },
-};
-
 let stream = null;
 let follower = 0;  // grows with every job that is shown: late answers for another are dropped
 
@@ -81,6 +62,7 @@ function follow(id, name) {
   clearJob();
   const mine = ++follower;
   const job = `/v1/jobs/${id}`;
+  history.replaceState(null, "", `#${id}`);
   element("title").textContent = name || "Picture";
   element("cancel").disabled = false;
   element("cancel").onclick = () => call(`${job}/cancel`, { method: "POST" }).catch(showProblems);
@@ -89,6 +71,7 @@ function follow(id, name) {
     if (mine === follower) action(JSON.parse(event.data), event);
   });
   on("snapshot", (view) => {
+    element("title").textContent = view.name || "Picture";
     showProgress(view.progress);
     if (view.images.length > 0) showPicture(job, `${view.revision}-${view.progress.pass}`);
     showReport(job);
@@ -134,8 +117,8 @@ async function showReadiness() {
 }
 
 async function showExample() {
-  const isBall = element("example").value === "ball";
-  element("document").value = isBall ? JSON.stringify(ball, null, 2) : await (await fetch("/examples/figure-4d.json")).text();
+  const response = await fetch(`/examples/${element("example").value}.json`);
+  element("document").value = await response.text();
 }
 
 /** Runs an action of the form; what it throws is shown. */
@@ -171,3 +154,4 @@ showExample();
 showReadiness();
 setInterval(showReadiness, 5000);
 showJobs().catch(showProblems);
+if (location.hash) follow(location.hash.slice(1), "");  // a link to a job

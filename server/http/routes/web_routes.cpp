@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server/http/routes/web_routes.h"
 
+#include "api/openapi.h"
 #include "server/http/representation.h"
 #include "server/web/web_assets.h"
 
@@ -38,6 +39,7 @@ void add_asset(Router& router, const WebAsset& asset) {
 
 void add_web_routes(Router& router) {
     for (const WebAsset& asset : web_assets()) add_asset(router, asset);
+    add_asset(router, {"/v1/openapi.json", "application/json", api::openapi_json()});
 }
 
 }  // namespace bouguer::server

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The web page at / and the documentation at /docs, both inside the binary.
+// The web page at /, the documentation at /docs and the OpenAPI description, all inside the binary.
 #pragma once
 
 #include "server/http/router.h"
