@@ -2,7 +2,7 @@
 // The curve error(t) as a small SVG: both axes logarithmic, so that noise falls along a straight line.
 
 const svgNamespace = "http://www.w3.org/2000/svg";
-const box = { left: 52, right: 348, top: 10, bottom: 150, width: 360, height: 180 };
+const box = { left: 52, right: 340, top: 10, bottom: 150, width: 360, height: 180 };
 
 function shape(name, attributes, text) {
   const element = document.createElementNS(svgNamespace, name);
