@@ -13,7 +13,7 @@
 namespace bouguer::server::testing {
 
 struct RawResponse {
-    int status = 0;                            ///< 0: none came
+    int status = 0;                              ///< 0: none came
     std::map<std::string, std::string> headers;  ///< names in lower case; the last of equals
     std::string body;
     [[nodiscard]] std::string header(const std::string& name) const {
