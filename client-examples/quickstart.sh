@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # From a fresh clone to a picture, on Debian 12 or 13, as root or with sudo: installs what is missing, builds, starts
 # the daemon on a free port, renders the seed paper's figure 4(d) over HTTP and stops the daemon again. A second run
-# neither installs nor builds. Environment: BOUGUER_SAMPLES a pixel (64), BOUGUER_OUT, the folder for what comes of it.
+# neither installs nor builds. Environment: BOUGUER_SAMPLES a pixel (16), BOUGUER_OUT, the folder for what comes of it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=${BOUGUER_OUT:-quickstart-out}
 scene=client-examples/scenes/lee/figure-4d.json
-export BOUGUER_SAMPLES=${BOUGUER_SAMPLES:-64}
+export BOUGUER_SAMPLES=${BOUGUER_SAMPLES:-16}
 
 echo "1/4 Packages"
 client-examples/install-dependencies.sh build

@@ -45,7 +45,7 @@ show_progress() {
     percent=$(awk -v f="$fraction" 'BEGIN { printf "%.0f", 100 * f }')
     filled=$((percent * width / 100))
     printf -v bar '%*s' "$filled" ''
-    case $left in ''|null) left='?' ;; *) left=$(printf '%.1f' "$left") ;; esac
+    case $left in ''|null) left=$([ "$percent" -ge 100 ] && echo 0.0 || echo '?') ;; *) left=$(printf '%.1f' "$left") ;; esac
     local line
     line=$(printf '[%-*s] %3d %%  %s samples a pixel  %.1f s  %s s left' \
         "$width" "${bar// /#}" "$percent" "${samples:-0}" "${seconds:-0}" "$left")
