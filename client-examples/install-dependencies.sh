@@ -17,7 +17,7 @@ build_packages=(
     curl:curl
 )
 test_packages=(
-    libgtest-dev clang-format:clang-format shellcheck python3:python3 python3-venv python3-yaml nodejs:node npm:npm
+    libgtest-dev clang-format:clang-format shellcheck python3:python3 python3-venv nodejs:node npm:npm
 )
 
 is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
