@@ -8,7 +8,18 @@
 namespace bouguer::server {
 namespace {
 
-constexpr double kLargest = 1e30;
+/// Like CLI::Range, which lets NaN pass.
+CLI::Validator within(double low, double high) {
+    const std::string range =
+        "[" + CLI::detail::to_string(low) + " - " + CLI::detail::to_string(high) + "]";
+    return {[=](const std::string& text) {
+                double value = 0;
+                const bool is_good =
+                    CLI::detail::lexical_cast(text, value) && low <= value && value <= high;
+                return is_good ? std::string() : text + " is not a number in " + range;
+            },
+            "in " + range};
+}
 
 void add_document(CLI::App& app, std::filesystem::path& document) {
     app.add_option("document", document, "a scene (bouguer-scene/1) or a job (bouguer-job/1)")
@@ -30,7 +41,7 @@ void add_overrides(CLI::App& app, Overrides& o) {
         ->type_name("WIDTHxHEIGHT")
         ->group(kGroup);
     app.add_option("--wavelength-step", o.wavelength_step, "spacing of the wavelengths, nm")
-        ->check(CLI::Range(1.0, 100.0))
+        ->check(within(1.0, 100.0))
         ->group(kGroup);
     app.add_option("--max-depth", o.max_depth, "reflections and refractions in a row")
         ->check(CLI::Range(0, 64))
@@ -43,10 +54,10 @@ void add_stop_overrides(CLI::App& app, Overrides& o) {
         ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{1'000'000}))
         ->group(kGroup);
     app.add_option("--seconds", o.seconds, "after so long, at the end of a pass")
-        ->check(CLI::Range(1e-3, 86'400.0))
+        ->check(within(1e-3, 86'400.0))
         ->group(kGroup);
     app.add_option("--error", o.error, "when the relative RMSE is below, with 95 % confidence")
-        ->check(CLI::Range(1e-6, 1.0))
+        ->check(within(1e-6, 1.0))
         ->group(kGroup);
 }
 
@@ -79,7 +90,7 @@ void add_serve(CLI::App& app, ServeOptions& o) {
     add_threads(app, o.threads);
     app.add_option("--memory", o.memory_gib,
                    "GiB for all running jobs together; 0: half of the machine's")
-        ->check(CLI::Range(0.0, kLargest));
+        ->check(within(0.0, 1e6));
     app.add_option("--queue", o.queue, "jobs that may wait or run; beyond: 503")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
         ->capture_default_str();
@@ -92,8 +103,7 @@ void add_render(CLI::App& app, RenderOptions& o) {
     add_document(app, o.document);
     app.add_option("-o,--output", o.outputs, "picture to write, .png or .exr; may be repeated")
         ->required()
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false)
         ->type_name("FILE");
     app.add_option("--report", o.report, "error against run time, health, plan and timings as JSON")
         ->type_name("FILE.json");

@@ -12,7 +12,7 @@ std::optional<ListenAddress> listen_address_from(std::string_view text) {
     if (colon == std::string_view::npos) return std::nullopt;
     std::string_view host = text.substr(0, colon);
     const std::string_view digits = text.substr(colon + 1);
-    const bool is_bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
+    const bool is_bracketed = host.size() >= 2 && host.front() == '[' && host.back() == ']';
     if (is_bracketed) host = host.substr(1, host.size() - 2);
     if (host.empty() || (!is_bracketed && host.find(':') != std::string_view::npos)) {
         return std::nullopt;
