@@ -112,8 +112,12 @@ bool stands_on(const PlanePart& plane, Real t_plane, const Hit& hit) {
 }  // namespace
 
 std::optional<Hit> EmbreeGeometry::intersect(const Ray& ray) const {
+    return intersect_within(ray, kInfinity);
+}
+
+std::optional<Hit> EmbreeGeometry::intersect_within(const Ray& ray, Real t_max) const {
     std::optional<Hit> result;
-    if (!is_finite(ray)) return result;
+    if (!is_finite(ray) || !(t_max > 0)) return result;
     Real t_plane = kInfinity;
     std::size_t plane = 0;
     for (std::size_t i = 0; i < data_.planes.size(); ++i) {
@@ -124,18 +128,18 @@ std::optional<Hit> EmbreeGeometry::intersect(const Ray& ray) const {
         }
     }
     Hit& hit = result.emplace();
-    const bool found = data_.scene && intersect_bvh(data_, ray, t_plane, hit);
-    if (t_plane == kInfinity) {
-        if (!found) result.reset();
-        return result;
+    const bool found = data_.scene && intersect_bvh(data_, ray, std::min(t_plane, t_max), hit);
+    const bool tied = found && hit.t < t_plane && t_plane < kInfinity &&
+                      stands_on(data_.planes[plane], t_plane, hit);
+    const bool plane_first = t_plane < kInfinity && (tied || !(found && hit.t < t_plane));
+    if (plane_first) {
+        const Real error = tied ? hit.error : 0;
+        complete(data_.planes[plane], ray, t_plane, hit);
+        hit.error = std::max(hit.error, error);
+        set_owner(hit, data_.num_meshes + data_.analytic->shapes.size() + plane,
+                  data_.planes[plane].owner);
     }
-    const bool tied = found && hit.t < t_plane && stands_on(data_.planes[plane], t_plane, hit);
-    if (found && hit.t < t_plane && !tied) return result;
-    const Real error = tied ? hit.error : 0;
-    complete(data_.planes[plane], ray, t_plane, hit);
-    hit.error = std::max(hit.error, error);
-    set_owner(hit, data_.num_meshes + data_.analytic->shapes.size() + plane,
-              data_.planes[plane].owner);
+    if (!(plane_first || found) || !(hit.t < t_max)) result.reset();
     return result;
 }
 

@@ -57,6 +57,7 @@ class EmbreeGeometry final : public Geometry {
     explicit EmbreeGeometry(GeometryData data) : data_(std::move(data)) {}
 
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray) const override;
+    [[nodiscard]] std::optional<Hit> intersect_within(const Ray& ray, Real t_max) const override;
     [[nodiscard]] bool occluded(const Ray& ray, Real t_max) const override;
     [[nodiscard]] Vec2 surface_uv(const Hit& hit) const override;
     [[nodiscard]] Vec3 origin() const override { return data_.origin; }

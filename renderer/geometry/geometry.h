@@ -60,6 +60,12 @@ class Geometry {
     /// The nearest surface along the ray; empty when it leaves the scene. `ray.d` is unit; rays
     /// with a component that is not finite hit nothing.
     [[nodiscard]] virtual std::optional<Hit> intersect(const Ray& ray) const = 0;
+    /// As intersect(), but of the surfaces nearer than `t_max` only; cheaper when there is none.
+    [[nodiscard]] virtual std::optional<Hit> intersect_within(const Ray& ray, Real t_max) const {
+        auto hit = intersect(ray);
+        if (hit && !(hit->t < t_max)) hit.reset();
+        return hit;
+    }
     /// Whether anything lies within `t_max` along the ray. Use infinity for lights at infinity.
     [[nodiscard]] virtual bool occluded(const Ray& ray, Real t_max) const = 0;
 

@@ -190,6 +190,10 @@ TEST(Geometry, OcclusionAgreesWithIntersection) {
         const Real margin = 1e-6 * g->radius() / std::abs(dot(hit->ng, ray.d));
         EXPECT_TRUE(g->occluded(ray, hit->t + margin));
         EXPECT_FALSE(g->occluded(ray, hit->t - margin));
+        const auto within = g->intersect_within(ray, hit->t + margin);
+        ASSERT_TRUE(within);
+        EXPECT_EQ(within->t, hit->t);
+        EXPECT_FALSE(g->intersect_within(ray, hit->t));
     }
 }
 
