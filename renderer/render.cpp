@@ -55,11 +55,13 @@ class ProgressiveRender final : public Render {
         return unit;
     }
 
-    std::unique_ptr<UnitResult> trace(const Unit& unit) const override {
+    std::unique_ptr<UnitResult> trace(const Unit& unit,
+                                      const std::atomic<bool>* give_up) const override {
         auto result = std::make_unique<UnitResult>(unit, film_.replicates());
         const auto scratch = integrator_->make_scratch();
         for (int y = unit.y; y < unit.y + unit.height; ++y) {
             for (int x = unit.x; x < unit.x + unit.width; ++x) {
+                if (give_up != nullptr && give_up->load(std::memory_order_relaxed)) return nullptr;
                 for (std::uint32_t s = 0; s < unit.num_samples; ++s) {
                     const std::uint32_t sample = unit.first_sample + s;
                     const PixelSampler sampler(settings_.seed, x, y, sample, film_.replicates());

@@ -10,6 +10,7 @@
 //     Picture picture = render->picture(output);
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -60,8 +61,10 @@ class Render {
     /// still be running) or the render has ended. The next pass begins once every unit of this one
     /// was merged.
     [[nodiscard]] virtual std::optional<Unit> next_unit() = 0;
-    /// Pure function of scene, settings and unit.
-    [[nodiscard]] virtual std::unique_ptr<UnitResult> trace(const Unit& unit) const = 0;
+    /// Pure function of scene, settings and unit. When `give_up`, which may be null, becomes true,
+    /// it returns null within a pixel's time.
+    [[nodiscard]] virtual std::unique_ptr<UnitResult> trace(
+        const Unit& unit, const std::atomic<bool>* give_up = nullptr) const = 0;
     /// Takes a unit's result; `seconds` is the wall time since the render began. Returns whether
     /// this ended a pass: then the picture is complete, the error curve has a new point, and the
     /// stop rule was consulted.

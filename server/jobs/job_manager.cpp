@@ -104,6 +104,10 @@ void JobManager::refuse_new() { is_accepting_ = false; }
 void JobManager::stop() {
     refuse_new();
     if (workers_ == nullptr) return;
+    {
+        const std::lock_guard lock(live_mutex_);
+        for (const auto& [id, task] : live_) task->interrupt();
+    }
     workers_->stop();
     const std::lock_guard lock(live_mutex_);
     for (const auto& [id, task] : live_) {

@@ -43,7 +43,7 @@ class JobManager final : public JobService, private RenderListener {
     [[nodiscard]] Result<void> start();
     /// Accepts nothing more: ready() is false and submit() answers Busy.
     void refuse_new();
-    /// As refuse_new(); lets the units under way end, puts running jobs back into the stored queue
+    /// As refuse_new(); gives up the units under way, puts running jobs back into the stored queue
     /// and joins the threads. Idempotent.
     void stop();
 

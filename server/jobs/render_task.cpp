@@ -93,6 +93,7 @@ void RenderTask::fail(const std::string& reason) noexcept {
 bool RenderTask::cancel() {
     const std::lock_guard lock(mutex_);
     is_cancelled_ = true;
+    give_up_ = true;
     if (phase_ != Phase::Waiting) return false;
     phase_ = Phase::Ended;
     return true;
@@ -119,12 +120,13 @@ void RenderTask::prepare() {
 void RenderTask::trace(const renderer::Unit& unit) {
     const StepGuard guard(*this);
     // The render is not let go of while a step is under way.
-    std::unique_ptr<renderer::UnitResult> result = prepared_.render->trace(unit);
+    std::unique_ptr<renderer::UnitResult> result = prepared_.render->trace(unit, &give_up_);
     std::optional<JobProgress> progress;
     std::optional<renderer::Picture> picture;
     {
         const std::lock_guard lock(mutex_);
         if (is_cancelled_ || !failure_.empty()) return;
+        if (result == nullptr) return prepared_.render->give_back(unit);
         const bool pass_ended = prepared_.render->merge(std::move(result), seconds_locked());
         if (pass_ended) note_error_locked();
         const auto now = Clock::now();

@@ -2,6 +2,7 @@
 // A job being rendered: a Render with its lock, its clock and its end.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -65,8 +66,12 @@ class RenderTask final : public Task {
     void fail(const std::string& reason) noexcept override;
 
     /// Begins no other unit. A task that has not begun ends at once and tells nobody; any other
-    /// ends, as cancelled, once the units under way are done. Returns whether it ended at once.
+    /// ends, as cancelled, once the units under way have given up. Returns whether it ended at
+    /// once.
     bool cancel();
+
+    /// The process stops: units under way are given up and handed back.
+    void interrupt() { give_up_ = true; }
 
     [[nodiscard]] JobProgress progress() const;
     /// Names of the images that file() has now.
@@ -98,6 +103,8 @@ class RenderTask final : public Task {
     const std::uint64_t memory_bytes_;
     const Prepare prepare_;
     RenderListener& listener_;
+
+    std::atomic<bool> give_up_ = false;  ///< units under way end without a result
 
     mutable std::mutex mutex_;
     Phase phase_ = Phase::Waiting;  // guarded by mutex_, as all below

@@ -160,6 +160,16 @@ TEST(Render, HandsOutAUnitAgainThatWasGivenBack) {
     EXPECT_EQ(again.y, unit.y);
 }
 
+TEST(Render, GivesUpAUnitWhenAsked) {
+    StopRule stop;
+    stop.samples = 1;
+    const auto render = Render::create(still_life(matt(0.5)).build(), small(), stop).value();
+    std::atomic<bool> give_up = true;
+    EXPECT_EQ(render->trace(*render->next_unit(), &give_up), nullptr);
+    give_up = false;
+    EXPECT_NE(render->trace(*render->next_unit(), &give_up), nullptr);
+}
+
 TEST(Render, StopsBySeconds) {
     StopRule stop;
     stop.seconds = 10;

@@ -26,8 +26,10 @@ class FakeRender final : public renderer::Render {
         waiting_.pop_front();
         return unit;
     }
-    std::unique_ptr<renderer::UnitResult> trace(const renderer::Unit& unit) const override {
+    std::unique_ptr<renderer::UnitResult> trace(const renderer::Unit& unit,
+                                                const std::atomic<bool>* give_up) const override {
         if (on_trace_) on_trace_(unit);
+        if (give_up != nullptr && *give_up) return nullptr;
         return std::make_unique<renderer::UnitResult>(unit, 2);
     }
     bool merge(std::unique_ptr<renderer::UnitResult>, double seconds) override {
