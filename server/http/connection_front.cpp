@@ -68,6 +68,8 @@ ConnectionFront::~ConnectionFront() {
     mail_->signal();
     thread_.join();
     pool_.stop();
+    // what was answered too late: an exchange holds the mailbox, which must not hold the exchange
+    (void)mail_->take();
 }
 
 void ConnectionFront::begin_drain() {

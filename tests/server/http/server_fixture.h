@@ -26,6 +26,7 @@ class ServerTest : public ::testing::Test {
         server_ = std::move(*server);
     }
     HttpServer& server() { return *server_; }
+    void destroy_server() { server_.reset(); }
     [[nodiscard]] RawClient connect() const { return RawClient(server_->port()); }
     /// One request on a connection of its own.
     [[nodiscard]] RawResponse ask(std::string_view method, std::string_view target,

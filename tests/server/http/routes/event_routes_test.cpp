@@ -136,6 +136,21 @@ TEST_F(EventRoutesTest, AWatcherThatDoesNotReadIsDropped) {
     EXPECT_EQ(ask("GET", "/livez").status, 200);
 }
 
+TEST_F(EventRoutesTest, AServerThatGoesLeavesNoListener) {
+    start();
+    const JobId id = jobs.add();
+    std::vector<RawClient> clients;
+    for (int i = 0; i < 20; ++i) {
+        clients.push_back(connect());
+        const bool waits = i % 2 == 0;
+        clients.back().send(waits ? request_text("GET", path_of(id), {"Prefer: wait=20"})
+                                  : request_text("GET", path_of(id, "/events")));
+    }
+    ASSERT_TRUE(eventually([&] { return jobs.listeners() > 0; }));
+    destroy_server();  // in the middle of it
+    EXPECT_EQ(jobs.listeners(), 0U);
+}
+
 TEST_F(EventRoutesTest, DrainEndsStreams) {
     start();
     const JobId id = jobs.add();
