@@ -183,10 +183,9 @@ Result<Json> TreeBuilder::take() && {
 
 Result<Json> read_json_tree(std::string_view text, const Limits& limits) {
     if (text.size() > limits.body_bytes) {
-        return fail(ErrorKind::TooLarge,
-                    "the document has " + std::to_string(text.size()) + " bytes; at most " +
-                        std::to_string(limits.body_bytes) + " are allowed",
-                    "body-too-large");
+        return fail(ErrorKind::TooLarge, "the document has " + std::to_string(text.size()) +
+                                             " bytes; at most " +
+                                             std::to_string(limits.body_bytes) + " are allowed");
     }
     TreeBuilder builder(text, limits);
     Json::sax_parse(text.begin(), text.end(), &builder);

@@ -73,7 +73,7 @@ bool JsonValue::is_array(std::size_t min, std::size_t max, std::string_view of) 
     const std::size_t size = json_->size();
     if (size >= min && size <= max) return true;
     const bool is_short = size < min;
-    report(is_short ? "out-of-range" : "over-limit",
+    report(is_short ? "too-few" : "over-limit",
            "the array has too " + std::string(is_short ? "few " : "many ") + name,
            std::to_string(min) + " to " + std::to_string(max) + " " + name);
     return false;
@@ -86,7 +86,7 @@ bool JsonValue::is_tuple(std::size_t size, std::string_view of) const {
         return false;
     }
     if (json_->size() == size) return true;
-    report("out-of-range", "the array has the wrong length", allowed);
+    report("wrong-count", "the array has the wrong length", allowed);
     return false;
 }
 

@@ -51,9 +51,9 @@ class JsonValue {
     [[nodiscard]] JsonValue element(std::size_t index) const;  ///< of an array that is long enough
 
     /// Whether this is an array with a length in [min, max]; `of` names its elements ("triangles").
-    /// A length above `max` is "over-limit".
+    /// Below `min`: "too-few", above `max`: "over-limit".
     [[nodiscard]] bool is_array(std::size_t min, std::size_t max, std::string_view of) const;
-    /// Whether this is an array of exactly `size`; another length is "out-of-range".
+    /// Whether this is an array of exactly `size`; another length is "wrong-count".
     [[nodiscard]] bool is_tuple(std::size_t size, std::string_view of) const;
 
     [[nodiscard]] std::optional<double> number(const Interval& allowed) const;

@@ -149,7 +149,7 @@ std::vector<T> read_per_vertex(const std::optional<JsonValue>& value, std::size_
     if (!value) return {};
     auto rows = read_rows<T>(*value, size, SIZE_MAX, "rows of numbers", make);
     if (rows && positions && rows->size() != positions->size()) {
-        value->report("out-of-range", "there must be one entry for every position",
+        value->report("length-mismatch", "there must be one entry for every position",
                       std::to_string(positions->size()) + " entries");
         rows.reset();
     }

@@ -18,7 +18,7 @@ using renderer::SpectrumPtr;
 constexpr double kLargestEmission = 1e30;
 constexpr Interval kValue{0, kLargestEmission};
 constexpr Interval kWavelength_nm{1e-3, 1e9};
-constexpr Interval kTemperature_K{1, 1e9};
+constexpr Interval kTemperature_K{renderer::kBlackbodyMin_K, renderer::kBlackbodyMax_K};
 
 /// Least and largest value on the 1 nm grid of the rendered range.
 ReadSpectrum with_bounds(SpectrumPtr spectrum) {

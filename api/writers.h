@@ -23,10 +23,6 @@ namespace bouguer::api {
 /// The stable name of the error: its own code, or that of its kind ("invalid-document" ...).
 [[nodiscard]] std::string code_of(const Error& error);
 
-/// What documents may name: {spectra: [{name, kind, description, source}], displays: [{name,
-/// description}]}.
-[[nodiscard]] std::string library_json();
-
 [[nodiscard]] std::string plan_json(const renderer::Plan& plan);
 [[nodiscard]] std::string health_json(const renderer::Health& health);
 /// The error curve with its bias parts and the fitted slope of log rmse against log samples (null
