@@ -19,6 +19,7 @@ struct Limits {
     std::size_t lights = 1'000;
     std::size_t spectra = 1'000;
     std::size_t spectrum_samples = 10'000;
+    std::size_t spectrum_parts = 64;       ///< factors of a product, with those of its factors
     std::size_t spectrum_references = 32;  ///< spectra that refer to spectra, in a row
     std::size_t mesh_vertices = 10'000'000;
     std::size_t mesh_triangles = 20'000'000;

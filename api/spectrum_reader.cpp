@@ -18,6 +18,7 @@ using renderer::SpectrumPtr;
 constexpr double kLargestEmission = 1e30;
 constexpr Interval kValue{0, kLargestEmission};
 constexpr Interval kWavelength_nm{1e-3, 1e9};
+constexpr Interval kWidth_nm{0, 1e9, true};
 constexpr Interval kTemperature_K{renderer::kBlackbodyMin_K, renderer::kBlackbodyMax_K};
 
 /// Least and largest value on the 1 nm grid of the rendered range.
@@ -90,13 +91,73 @@ std::optional<ReadSpectrum> read_blackbody(SpectrumReader& /*spectra*/, JsonRead
     return accept(reader.value(), renderer::blackbody_spectrum(*temperature));
 }
 
+std::optional<ReadSpectrum> read_hex(SpectrumReader& spectra, JsonReader& reader) {
+    const auto at = reader.require("hex");
+    const auto hex = at ? at->text(spectra.limits().name_bytes) : std::nullopt;
+    return hex ? accept(reader.value(), renderer::hex_spectrum(*hex)) : std::nullopt;
+}
+
+/// `read`, which may be narrower than the grid, with its peak at `at_nm`.
+std::optional<ReadSpectrum> with_peak(std::optional<ReadSpectrum> read, double at_nm, double peak) {
+    if (read && at_nm >= renderer::kLambdaMin_nm && at_nm <= renderer::kLambdaMax_nm) {
+        read->high = std::max(read->high, peak);
+    }
+    return read;
+}
+
+std::optional<ReadSpectrum> read_gaussian(SpectrumReader& /*spectra*/, JsonReader& reader) {
+    const auto center = reader.require_number("center_nm", kWavelength_nm);
+    const auto fwhm = reader.require_number("fwhm_nm", kWidth_nm);
+    const auto peak = reader.require_number("peak", kValue);
+    if (!center || !fwhm || !peak) return std::nullopt;
+    const auto made = renderer::gaussian_spectrum(*center, *fwhm, *peak);
+    return with_peak(accept(reader.value(), made), *center, *peak);
+}
+
+std::optional<ReadSpectrum> read_line(SpectrumReader& /*spectra*/, JsonReader& reader) {
+    const auto line = reader.require_number("line_nm", kWavelength_nm);
+    const auto width = reader.require_number("width_nm", kWidth_nm);
+    const auto integral = reader.require_number("integral", kValue);
+    if (!line || !width || !integral) return std::nullopt;
+    const auto made = renderer::line_spectrum(*line, *width, *integral);
+    return with_peak(accept(reader.value(), made), *line, *integral / *width);
+}
+
 std::optional<ReadSpectrum> read_scaled(SpectrumReader& spectra, JsonReader& reader) {
     const auto of = reader.require("spectrum");
     const auto scale = reader.require_number("scale", kValue);
     const auto base = of ? spectra.any(*of) : std::nullopt;
     if (!base || !scale) return std::nullopt;
     return ReadSpectrum{renderer::scaled_spectrum(base->spectrum, *scale), base->low * *scale,
-                        base->high * *scale};
+                        base->high * *scale, base->parts};
+}
+
+/// The product of two. Its bounds are those on the grid, unless a factor is narrower than that.
+ReadSpectrum multiplied(const ReadSpectrum& a, const ReadSpectrum& b) {
+    ReadSpectrum product = with_bounds(renderer::product_spectrum(a.spectrum, b.spectrum));
+    product.parts = a.parts + b.parts;
+    const bool is_narrow =
+        a.high > with_bounds(a.spectrum).high || b.high > with_bounds(b.spectrum).high;
+    if (is_narrow) product.high = std::max(product.high, a.high * b.high);
+    return product;
+}
+
+std::optional<ReadSpectrum> read_product(SpectrumReader& spectra, JsonReader& reader) {
+    const auto at = reader.require("product");
+    const std::size_t most = spectra.limits().spectrum_parts;
+    if (!at || !at->is_array(2, most, "spectra")) return std::nullopt;
+    std::optional<ReadSpectrum> product;
+    bool is_good = true;
+    for (std::size_t i = 0; i < at->json().size(); ++i) {
+        const auto factor = spectra.any(at->element(i));
+        is_good = is_good && factor;
+        if (is_good) product = product ? multiplied(*product, *factor) : factor;
+        if (!is_good || product->parts <= most) continue;
+        at->report("over-limit", "the product has too many factors, with those of its factors",
+                   "at most " + std::to_string(most) + " factors");
+        return std::nullopt;
+    }
+    return is_good ? product : std::nullopt;
 }
 
 struct SpectrumKind {
@@ -106,9 +167,16 @@ struct SpectrumKind {
 
 /// To add a kind, write its function and its line here.
 constexpr std::array kKinds{
-    SpectrumKind{"wavelengths_nm", &read_samples}, SpectrumKind{"first_nm", &read_regular},
-    SpectrumKind{"step_nm", &read_regular},        SpectrumKind{"srgb", &read_srgb},
-    SpectrumKind{"blackbody_K", &read_blackbody},  SpectrumKind{"spectrum", &read_scaled},
+    SpectrumKind{"wavelengths_nm", &read_samples},
+    SpectrumKind{"first_nm", &read_regular},
+    SpectrumKind{"step_nm", &read_regular},
+    SpectrumKind{"srgb", &read_srgb},
+    SpectrumKind{"hex", &read_hex},
+    SpectrumKind{"blackbody_K", &read_blackbody},
+    SpectrumKind{"center_nm", &read_gaussian},
+    SpectrumKind{"line_nm", &read_line},
+    SpectrumKind{"spectrum", &read_scaled},
+    SpectrumKind{"product", &read_product},
 };
 
 std::vector<std::string_view> kind_keys() {

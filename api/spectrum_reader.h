@@ -4,7 +4,10 @@
 //
 //     0.8 | "D65" | { "wavelengths_nm": [...], "values": [...] }
 //     | { "first_nm": 380, "step_nm": 5, "values": [...] } | { "srgb": [r, g, b] }
-//     | { "blackbody_K": 2856 } | { "spectrum": <spectrum>, "scale": 400 }
+//     | { "hex": "#ccbfb3" } | { "blackbody_K": 2856 }
+//     | { "center_nm": 550, "fwhm_nm": 20, "peak": 1 } | { "line_nm": 589.3, "width_nm": 0.1,
+//     "integral": 1 } | { "spectrum": <spectrum>, "scale": 400 } | { "product": [<spectrum>,
+//     <spectrum>, ...] }
 #pragma once
 
 #include <map>
@@ -23,6 +26,7 @@ namespace bouguer::api {
 struct ReadSpectrum {
     renderer::SpectrumPtr spectrum;
     double low = 0, high = 0;
+    std::size_t parts = 1;  ///< how many spectra are evaluated for one value
 };
 
 /// Reads spectra and resolves names: first those of the scene, in whatever order they refer to each

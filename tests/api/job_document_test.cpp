@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "api/digest.h"
+#include "renderer/spectrum/spectra.h"
 #include "tests/api/fake_assets.h"
 #include "tests/api/malformed_documents.h"
 
@@ -123,6 +124,20 @@ TEST(JobDocument, WeighsObjectsThatAreNotNamedByZero) {
     EXPECT_EQ(std::get<renderer::ExplicitWeights>(job->scene.ambient->weights).k,
               (std::vector<renderer::Real>{0, 0.25}));
     EXPECT_EQ(job->scene.ambient->illuminant, nullptr);
+}
+
+// A lamp behind a filter: wavelength by wavelength, by whatever names.
+TEST(JobDocument, MultipliesSpectra) {
+    const auto job = parse(R"({"format":"bouguer-scene/1",
+        "camera":{"type":"orthographic","from":[0,0,9],"at":[0,0,0],"height":2},"objects":[],
+        "spectra":{"bell":{"center_nm":560,"fwhm_nm":40,"peak":0.5},
+                   "filtered":{"product":["D65","bell",{"spectrum":"bell","scale":2}]}},
+        "lights":[{"type":"point","position":[0,0,1],"intensity":"filtered"}]})");
+    ASSERT_TRUE(job) << messages(job);
+    const auto& intensity = *std::get<PointLight>(job->scene.lights[0]).intensity;
+    EXPECT_NEAR(intensity.at(560), 0.5, 1e-9);  // D65 is 1 there: 1 x 0.5 x 1
+    // Half the width away each bell is at half its peak.
+    EXPECT_NEAR(intensity.at(580) / renderer::library_spectrum("D65")->at(580), 0.125, 1e-9);
 }
 
 TEST(JobDocument, ReadsMeshFilesThroughItsAssets) {

@@ -49,6 +49,8 @@ TEST(OpenApi, GivesTheLimits) {
     EXPECT_EQ(schemas["Mesh"]["properties"]["positions"]["maxItems"], limits.mesh_vertices);
     EXPECT_EQ(schemas["Mesh"]["properties"]["triangles"]["maxItems"], limits.mesh_triangles);
     EXPECT_EQ(schemas["SpectrumValues"]["maxItems"], limits.spectrum_samples);
+    EXPECT_EQ(schemas["ProductSpectrum"]["properties"]["product"]["maxItems"],
+              limits.spectrum_parts);
     EXPECT_EQ(schemas["Resolution"]["items"]["maximum"], limits.resolution);
     EXPECT_EQ(schemas["Transform"]["oneOf"][1]["maxItems"], limits.transform_steps);
     EXPECT_EQ(schemas["StopRule"]["properties"]["samples"]["maximum"], limits.samples);
