@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // libFuzzer entry for the mesh readers: whatever the bytes, a mesh that keeps its promises or an
-// error.
+// error. Build and run with clang and its runtime library (libclang-rt-14-dev), from the root:
+//
+//     clang++ -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -I. tests/fuzz/mesh_fuzz.cpp
+//         renderer/geometry/{mesh_file,obj_reader,ply_header,ply_reader}.cpp -o mesh_fuzz
+//     ./mesh_fuzz -max_total_time=300 -malloc_limit_mb=256
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

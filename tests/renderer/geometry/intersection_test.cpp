@@ -160,6 +160,18 @@ TEST(Intersection, ShadingNormalsAreInterpolated) {
     }
 }
 
+// Normals that a file has the wrong way round are turned to the side of the geometric normal.
+TEST(Intersection, ShadingNormalsAreOnTheGeometricSide) {
+    TriangleMesh mesh = *test::icosphere(3, true);
+    for (Vec3& n : mesh.normals) n = -n;
+    const auto g = build({{std::make_shared<const TriangleMesh>(std::move(mesh))}});
+    test::Random random(3);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 d = random.direction();
+        expect_near(shoot(*g, {}, d)->ns, d, 1e-2);
+    }
+}
+
 TEST(Intersection, GivesSurfaceCoordinates) {
     const auto square = build({{test::square(2)}});
     const auto hit = square->intersect({{1, -1, 3}, {0, 0, -1}});

@@ -108,6 +108,22 @@ TEST(LeaveSurface, DoesNotMeetTheSurfaceAgainInALargeScene) {
     }
 }
 
+// Where the coordinates are small, rays round little, but the corners of a large triangle are far.
+TEST(LeaveSurface, DoesNotMeetALargeTriangleAgainNearTheOrigin) {
+    const auto g = test::build({{test::square(1000), {Transform::rotate({1, 2, 3}, 0.7)}}});
+    test::Random random(6);
+    int returns = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const Vec3 d = random.direction();
+        const auto hit = g->intersect({random.in_cube(1e-2) - 1.0 * d, d});
+        if (!hit) continue;
+        const Vec3 out = away_from(i % 2 == 0 ? hit->ng : -hit->ng, random);
+        if (g->intersect({leave_surface(*hit, out), out})) ++returns;
+        if (g->occluded({leave_surface(*hit, out), out}, kInfinity)) ++returns;
+    }
+    EXPECT_EQ(returns, 0);
+}
+
 // Instances go through a transform that Embree inverts in single precision.
 TEST(LeaveSurface, DoesNotMeetAnInstanceAgain) {
     const Transform m = Transform::rotate({1, 2, 3}, 0.7) * Transform::scale({1, 0.2, 3});
