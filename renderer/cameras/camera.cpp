@@ -23,12 +23,12 @@ void check_view(Vec3 from, Vec3 at, Vec3 up, std::vector<Problem>& problems) {
     const Vec3 way = at - from;
     if (!is_finite(way) || !(length(way) > kMinDistance * std::max(max_abs(from), max_abs(at)))) {
         problems.push_back({"/from", "degenerate", "the camera stands where it looks at", "",
-                            "a point away from \"at\""});
+                            R"(a point away from "at")"});
         return;
     }
     if (!is_finite(up) || !(length(cross(way, up)) > kMinSine * length(way) * length(up))) {
         problems.push_back({"/up", "degenerate", "up is along the line of sight", "",
-                            "a direction across the line from \"from\" to \"at\""});
+                            R"(a direction across the line from "from" to "at")"});
     }
 }
 
