@@ -142,7 +142,8 @@ bool TreeBuilder::key(string_t& name) {
         problems_.add({std::move(object), "over-limit", "a key of this object is too long",
                        describe(Json(name)),
                        "keys of at most " + std::to_string(limits_.name_bytes) + " bytes"});
-        name = std::string(utf8_prefix(name, limits_.name_bytes));
+        level.key = utf8_prefix(name, limits_.name_bytes);
+        return true;  // cut short it may look like another
     }
     level.key = std::move(name);
     if (level.node->contains(level.key)) {

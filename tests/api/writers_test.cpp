@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/error_curve.h"
+#include "api/openapi.h"
 
 namespace bouguer::api {
 namespace {
@@ -128,6 +129,46 @@ TEST(ReportWriter, WritesEverything) {
     EXPECT_EQ(json["plan"]["items"][0]["feature"], "absorption");
     EXPECT_EQ(json["timings"]["render_s"], 2);
     EXPECT_FALSE(json["versions"]["bouguer"].get<std::string>().empty());
+}
+
+/// Adds to `faults` where `value` and the schema `schema` of the description `whole` have not the
+/// same members. Of alternatives the first is followed, unless `value` is null.
+void compare(const Json& whole, const Json& schema, const Json& value, const std::string& place,
+             std::vector<std::string>& faults) {
+    if (schema.contains("$ref")) {
+        const Json::json_pointer target(schema["$ref"].get<std::string>().substr(1));
+        return compare(whole, whole[target], value, place, faults);
+    }
+    if (value.is_null()) return;
+    if (schema.contains("oneOf")) return compare(whole, schema["oneOf"][0], value, place, faults);
+    if (value.is_array()) {
+        for (const Json& item : value) compare(whole, schema["items"], item, place + "/0", faults);
+        return;
+    }
+    if (!value.is_object()) return;
+    for (const Json& key : schema["required"]) {
+        if (!value.contains(key.get<std::string>()))
+            faults.push_back(place + " lacks " + key.dump());
+    }
+    for (const auto& [key, member] : value.items()) {
+        if (!schema["properties"].contains(key)) {
+            faults.push_back(place + "/" + key + " is not described");
+            continue;
+        }
+        compare(whole, schema["properties"][key], member, place + "/" + key, faults);
+    }
+}
+
+TEST(ReportWriter, WritesWhatTheDescriptionSays) {
+    const Json whole = Json::parse(openapi_json());
+    const Json report = Json::parse(report_json(sample_report(), "sha256-aa", "sha256-bb"));
+    std::vector<std::string> faults;
+    compare(whole, whole["components"]["schemas"]["Report"], report, "", faults);
+    EXPECT_EQ(faults, std::vector<std::string>());
+    const Error error{ErrorKind::InvalidInput, "refused", {{"/a", "missing", "b", "c", "d"}}, {}};
+    compare(whole, whole["components"]["schemas"]["Problem"],
+            Json::parse(problem_json(error, "req-1")), "", faults);
+    EXPECT_EQ(faults, std::vector<std::string>());
 }
 
 TEST(ReportWriter, WritesNullForWhatIsNotFinite) {
