@@ -205,8 +205,8 @@ class HallWalk {
         Float8* tint = scratch_.light.data();
         for (int surfaces = 0; surfaces < kMaxShadowSurfaces; ++surfaces) {
             ++counters_.rays;
-            const auto hit = scene_.geometry().intersect(ray);
-            if (!hit || hit->t >= distance) {
+            const auto hit = scene_.geometry().intersect_within(ray, distance);
+            if (!hit) {
                 if (!tinted && media.innermost() == MediumStack::kOutside) return true;
                 begin_tint(tint, tinted);
                 absorb(media, std::min(distance, kEndless), tint);

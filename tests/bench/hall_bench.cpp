@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <thread>
 #include <vector>
 
@@ -26,6 +27,8 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+
 struct RecordedRay {
     Ray ray;
     Real t_max;
@@ -37,8 +40,12 @@ class RecordingGeometry final : public Geometry {
   public:
     explicit RecordingGeometry(std::unique_ptr<const Geometry> inner) : inner_(std::move(inner)) {}
     std::optional<Hit> intersect(const Ray& ray) const override {
-        if (record != nullptr) record->push_back({ray, 0, false});
+        if (record != nullptr) record->push_back({ray, kInfinity, false});
         return inner_->intersect(ray);
+    }
+    std::optional<Hit> intersect_within(const Ray& ray, Real t_max) const override {
+        if (record != nullptr) record->push_back({ray, t_max, false});
+        return inner_->intersect_within(ray, t_max);
     }
     bool occluded(const Ray& ray, Real t_max) const override {
         if (record != nullptr) record->push_back({ray, t_max, true});
@@ -81,12 +88,11 @@ void bare(const GeometryData& data, const RecordedRay& r) {
     record.ray.mask = ~0U;
     record.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     record.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    record.ray.tfar = static_cast<float>(r.t_max * data.scale);
     if (r.is_shadow) {
         query.t_max = r.t_max;
-        record.ray.tfar = static_cast<float>(r.t_max * data.scale);
         embree_occluded(data.scene.get(), record.ray, query);
     } else {
-        record.ray.tfar = std::numeric_limits<float>::infinity();
         embree_intersect(data.scene.get(), record, query);
     }
 }
@@ -95,7 +101,7 @@ void ours(const Geometry& geometry, const RecordedRay& r) {
     if (r.is_shadow) {
         static_cast<void>(geometry.occluded(r.ray, r.t_max));
     } else {
-        static_cast<void>(geometry.intersect(r.ray));
+        static_cast<void>(geometry.intersect_within(r.ray, r.t_max));
     }
 }
 
