@@ -7,6 +7,8 @@
 #include <string>
 
 #include "renderer/scene/description.h"
+#include "renderer/spectrum/chromatic_adaptation.h"
+#include "renderer/spectrum/display.h"
 
 namespace bouguer::renderer {
 
@@ -50,13 +52,18 @@ struct StopRule {
     std::optional<double> error;  ///< relative RMSE; reached when the interval's upper end is below
 };
 
-enum class FileColour { Rec709, Xyz };
+/// What the channels of an EXR file are; all linear, and colorimetric: nothing is adapted.
+enum class FileColour { Rec709, Xyz, DisplayP3, AcesCg };
 
 /// How the film is shown and stored.
 struct OutputSettings {
     std::string display = "srgb";
     std::optional<double>
         exposure;  ///< factor on XYZ before the display; empty: the 99th percentile of Y becomes 1
+    Adaptation adaptation = Adaptation::None;  ///< from `white` to the display's white
+    std::optional<Chromaticity>
+        white;  ///< of the scene's light as the viewer takes it; adaptation needs it
+    GamutMapping gamut = GamutMapping::Clip;  ///< for what the display cannot show
     FileColour exr_colour = FileColour::Rec709;
 };
 

@@ -62,9 +62,40 @@ OIIO::ImageSpec spec_of(const Picture& picture, OIIO::TypeDesc type) {
 std::uint8_t to_byte(double encoded) { return static_cast<std::uint8_t>(encoded * 255 + 0.5); }
 
 /// Primaries and white, x and y each, as the EXR attribute lists them.
-using Chromaticities = std::array<float, 8>;
-constexpr Chromaticities kRec709{0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F};
-constexpr Chromaticities kXyz{1, 0, 0, 1, 0, 0, 1.0F / 3, 1.0F / 3};
+std::array<float, 8> listed(const std::array<Chromaticity, 4>& chromaticities) {
+    std::array<float, 8> list{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        list[2 * i] = static_cast<float>(chromaticities[i].x);
+        list[2 * i + 1] = static_cast<float>(chromaticities[i].y);
+    }
+    return list;
+}
+
+const Display& space_of(FileColour colour) {
+    switch (colour) {
+        case FileColour::Rec709:
+            return *find_display("rec709-linear");
+        case FileColour::Xyz:
+            return *find_display("xyz");
+        case FileColour::DisplayP3:
+            return *find_display("display-p3");
+        case FileColour::AcesCg:
+            return *find_display("acescg");
+    }
+    return *find_display("rec709-linear");
+}
+
+/// Takes XYZ to XYZ as the viewer of the display sees it.
+Result<Matrix3> view_matrix(const OutputSettings& output, const Display& display, double exposure) {
+    if (output.adaptation != Adaptation::None && !(output.white && output.white->y > 0))
+        return fail(ErrorKind::InvalidInput,
+                    "adaptation needs the white of the scene's light, with y above 0");
+    Matrix3 m = adaptation_matrix(output.adaptation, output.white.value_or(Chromaticity{}),
+                                  display.chromaticities[3]);
+    for (auto& row : m)
+        for (double& v : row) v *= exposure;
+    return m;
+}
 
 }  // namespace
 
@@ -92,13 +123,18 @@ Result<std::string> encode_png(const Picture& picture, const OutputSettings& out
 
     ImageInfo seen;
     seen.exposure = output.exposure ? *output.exposure : automatic_exposure(picture);
+    const auto view = view_matrix(output, *display, seen.exposure);
+    if (!view) return tl::unexpected(view.error());
     std::vector<std::uint8_t> bytes(picture.xyz.size());
     for (std::size_t i = 0; i < num_pixels(picture); ++i) {
-        bool clipped = false;
-        const auto rgb = display->show(pixel(picture, i) * seen.exposure, &clipped);
-        std::transform(rgb.begin(), rgb.end(), bytes.begin() + static_cast<std::ptrdiff_t>(3 * i),
-                       to_byte);
-        seen.clipped_pixels += clipped ? 1 : 0;
+        const Xyz c = pixel(picture, i);
+        const auto [x, y, z] = *view * std::array{c.x, c.y, c.z};
+        const ShownColour shown = display->show({x, y, z}, output.gamut);
+        std::transform(shown.rgb.begin(), shown.rgb.end(),
+                       bytes.begin() + static_cast<std::ptrdiff_t>(3 * i), to_byte);
+        seen.out_of_gamut_pixels += shown.out_of_gamut ? 1 : 0;
+        seen.over_range_pixels += shown.over_range ? 1 : 0;
+        seen.clipped_pixels += shown.out_of_gamut || shown.over_range ? 1 : 0;
     }
     if (info) *info = seen;
 
@@ -110,12 +146,12 @@ Result<std::string> encode_png(const Picture& picture, const OutputSettings& out
 
 Result<std::string> encode_exr(const Picture& picture, const OutputSettings& output) {
     if (const auto ok = check_size(picture); !ok) return tl::unexpected(ok.error());
-    const bool is_xyz = output.exr_colour == FileColour::Xyz;
-    std::vector<float> values = picture.xyz;
-    if (!is_xyz) {
+    const Display& space = space_of(output.exr_colour);
+    std::vector<float> values = picture.xyz;  // kept to the bit where XYZ is asked for
+    if (output.exr_colour != FileColour::Xyz) {
         for (std::size_t i = 0; i < num_pixels(picture); ++i) {
             const Xyz c = pixel(picture, i);
-            const auto rgb = xyz_to_rec709() * std::array{c.x, c.y, c.z};
+            const auto rgb = space.from_xyz * std::array{c.x, c.y, c.z};
             for (std::size_t k = 0; k < 3; ++k) values[3 * i + k] = static_cast<float>(rgb[k]);
         }
     }
@@ -124,7 +160,7 @@ Result<std::string> encode_exr(const Picture& picture, const OutputSettings& out
     spec.attribute("compression", "zip");
     spec.attribute("DateTime", "");  // or the time of writing goes in, and no two files are equal
     spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
-                   is_xyz ? kXyz.data() : kRec709.data());
+                   listed(space.chromaticities).data());
     spec.attribute("whiteLuminance",
                    static_cast<float>(kMaxLuminousEfficacy_lm_per_W * kYIntegral_nm));
     return write("exr", spec, values.data());

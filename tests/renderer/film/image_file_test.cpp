@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "renderer/spectrum/colour.h"
+#include "renderer/spectrum/display.h"
 
 namespace bouguer::renderer {
 namespace {
@@ -59,6 +60,33 @@ TEST(Png, CountsWhatTheDisplayCannotShow) {
     ImageInfo info;
     ASSERT_TRUE(encode_png(p, with_exposure(2), &info));
     EXPECT_EQ(info.clipped_pixels, 2U);
+    EXPECT_EQ(info.over_range_pixels, 1U);
+    EXPECT_EQ(info.out_of_gamut_pixels, 1U);
+}
+
+// Under A everything is yellow; adapted to the display's white, a grey is grey.
+TEST(Png, AdaptsTheLightsWhiteToTheDisplays) {
+    const Chromaticity a{0.44758, 0.40745};
+    const Picture p =
+        picture_of(1, 1, {Xyz{a.x / a.y, 1, (1 - a.x - a.y) / a.y} * srgb_decode(0.6)});
+    OutputSettings output = with_exposure(1);
+    EXPECT_GT(bytes_of(encode_png(p, output))[0], bytes_of(encode_png(p, output))[2] + 60);
+    output.adaptation = Adaptation::Cat16;
+    EXPECT_FALSE(encode_png(p, output));  // from which white?
+    output.white = a;
+    EXPECT_EQ(bytes_of(encode_png(p, output)), (std::vector{153, 153, 153}));
+    output.display = "lee-9300k";
+    for (const int v : bytes_of(encode_png(p, output))) EXPECT_NEAR(v, 153, 1);
+}
+
+TEST(Png, MapsColoursAsAsked) {
+    const Picture p = picture_of(1, 1, {from_linear(-0.1, 0.4, 0.1)});
+    OutputSettings output = with_exposure(1);
+    EXPECT_EQ(bytes_of(encode_png(p, output)),
+              (std::vector{0, int(std::lround(255 * srgb_encode(0.4))),
+                           int(std::lround(255 * srgb_encode(0.1)))}));
+    output.gamut = GamutMapping::Desaturate;
+    EXPECT_GT(bytes_of(encode_png(p, output))[2], int(std::lround(255 * srgb_encode(0.1))));
 }
 
 // Equation 5 shows a D65 white of half its range as (0.64, 0.475, 0.40).
@@ -130,6 +158,20 @@ TEST(Exr, KeepsXyzToTheBit) {
     ASSERT_TRUE(image);
     EXPECT_EQ(image->values, p.xyz);
     EXPECT_EQ(image->chromaticities, (std::array<float, 8>{1, 0, 0, 1, 0, 0, 1.0F / 3, 1.0F / 3}));
+}
+
+// A D65 white is R = G = B in P3 and not in ACEScg, whose white is another.
+TEST(Exr, IsWrittenInOtherSpacesToo) {
+    OutputSettings output;
+    output.exr_colour = FileColour::DisplayP3;
+    const Picture white = picture_of(1, 1, {from_linear(1, 1, 1)});
+    auto image = decode_image(encode_exr(white, output).value());
+    for (const float v : image->values) EXPECT_NEAR(v, 1, 1e-6);
+    EXPECT_EQ((*image->chromaticities)[0], 0.68F);
+    output.exr_colour = FileColour::AcesCg;
+    image = decode_image(encode_exr(white, output).value());
+    EXPECT_GT(image->values[2], image->values[0] + 0.05);
+    EXPECT_EQ((*image->chromaticities)[6], 0.32168F);
 }
 
 // Value 1 has Y = 1: a luminance of 683.002 lm/W x 106.8569171 nm = 72983.5 cd/m^2.
