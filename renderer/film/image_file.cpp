@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "renderer/film/icc_profile.h"
 #include "renderer/spectrum/colour.h"
 #include "renderer/spectrum/display.h"
 
@@ -139,8 +140,15 @@ Result<std::string> encode_png(const Picture& picture, const OutputSettings& out
     if (info) *info = seen;
 
     OIIO::ImageSpec spec = spec_of(picture, OIIO::TypeDesc::UINT8);
-    // Only sRGB has a chunk of its own; numbers for another display carry no claim.
-    if (display->name == "srgb") spec.attribute("oiio:ColorSpace", "sRGB");
+    // Only sRGB has a chunk of its own; for the others a profile says what the numbers mean.
+    if (display->name == "srgb") {
+        spec.attribute("oiio:ColorSpace", "sRGB");
+    } else {
+        const std::vector<std::uint8_t> profile = icc_profile(*display);
+        spec.attribute("ICCProfile",
+                       OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
+                       profile.data());
+    }
     return write("png", spec, bytes.data());
 }
 

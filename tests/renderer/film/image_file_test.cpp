@@ -99,15 +99,20 @@ TEST(Png, GoesThroughTheChosenDisplay) {
     EXPECT_NEAR(bytes[2], 255 * 0.668, 1.5);
 }
 
-// The chunk is a claim about colour: sRGB makes it, another display must not.
-TEST(Png, SaysSrgbOnlyOfSrgb) {
+// The chunk is a claim about colour: sRGB makes it; another display brings its profile.
+TEST(Png, SaysWhatItsNumbersMean) {
     const Picture p = picture_of(1, 1, {from_linear(1, 1, 1)});
     OutputSettings output = with_exposure(1);
-    EXPECT_NE(encode_png(p, output)->find("sRGB"), std::string::npos);
-    output.display = "lee-9300k";
-    const std::string lee = *encode_png(p, output);
-    for (const char* chunk : {"sRGB", "gAMA", "cHRM", "iCCP"})
-        EXPECT_EQ(lee.find(chunk), std::string::npos) << chunk;
+    const std::string srgb = *encode_png(p, output);
+    EXPECT_NE(srgb.find("sRGB"), std::string::npos);
+    EXPECT_EQ(srgb.find("iCCP"), std::string::npos);
+    for (const char* name : {"lee-9300k", "display-p3"}) {
+        output.display = name;
+        const std::string other = *encode_png(p, output);
+        EXPECT_NE(other.find("iCCP"), std::string::npos);
+        for (const char* chunk : {"sRGB", "gAMA", "cHRM"})
+            EXPECT_EQ(other.find(chunk), std::string::npos) << chunk;
+    }
 }
 
 // 200 pixels of Y = 1 ... 200: 99 % of them do not exceed 198.
