@@ -66,7 +66,8 @@ void add_output_overrides(CLI::App& app, Overrides& o) {
     app.add_option("--seed", o.seed, "of all random numbers")
         ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U))
         ->group(kGroup);
-    app.add_option("--display", o.display, "of PNG files: srgb, lee-9300k")->group(kGroup);
+    app.add_option("--display", o.display, "of PNG files: srgb, display-p3, lee-9300k ...")
+        ->group(kGroup);
     app.add_option("--exposure", o.exposure, "of PNG files: a factor, or auto")->group(kGroup);
     app.add_option("--color-space", o.color_space, "of EXR files: rec709 or xyz")
         ->check(CLI::IsMember({"rec709", "xyz"}))
