@@ -21,7 +21,7 @@ bool range_applies(const httplib::Request& request, const std::string& quoted_ta
     return !request.has_header("If-Range") || request.get_header_value("If-Range") == quoted_tag;
 }
 
-void send_part(httplib::Response& response, std::string bytes, ByteRange range) {
+void send_part(httplib::Response& response, const std::string& bytes, ByteRange range) {
     response.status = 206;
     response.set_header("Content-Range", "bytes " + std::to_string(range.first) + '-' +
                                              std::to_string(range.first + range.length - 1) + '/' +
@@ -73,7 +73,7 @@ void send_representation(const httplib::Request& request, httplib::Response& res
     }
     response.set_header("Content-Type", representation.media_type);
     if (wanted.kind == RangeRequest::Kind::Part) {
-        return send_part(response, std::move(representation.bytes), wanted.range);
+        return send_part(response, representation.bytes, wanted.range);
     }
     response.body = std::move(representation.bytes);
 }

@@ -32,7 +32,8 @@ std::optional<std::size_t> small_number(const std::string& text) {
     return good ? std::optional(value) : std::nullopt;
 }
 
-Error bad_parameter(std::string name, std::string code, std::string found, std::string allowed) {
+Error bad_parameter(const std::string& name, std::string code, std::string found,
+                    std::string allowed) {
     Problem problem{.pointer = "",
                     .code = std::move(code),
                     .detail = "query parameter " + name + " is not acceptable",
