@@ -52,6 +52,7 @@ bool RenderTask::is_over_locked() const {
 }
 
 Urgency RenderTask::urgency() const {
+    if (is_ending_pass_) return Urgency::LaterPass;  // it has nothing to hand out anyway
     const std::lock_guard lock(mutex_);
     if (phase_ == Phase::Waiting || phase_ == Phase::Preparing) return Urgency::FirstPass;
     if (is_over_locked()) return Urgency::Finish;
@@ -59,6 +60,7 @@ Urgency RenderTask::urgency() const {
 }
 
 std::optional<Task::Step> RenderTask::next_step() {
+    if (is_ending_pass_) return std::nullopt;
     const std::lock_guard lock(mutex_);
     std::optional<Step> step;
     if (phase_ == Phase::Waiting) {
@@ -71,16 +73,12 @@ std::optional<Task::Step> RenderTask::next_step() {
         }
     } else if (phase_ == Phase::Rendering) {
         if (const auto unit = prepared_.render->next_unit()) {
+            ++units_under_way_;
             step = [this, unit = *unit] { trace(unit); };
         }
     }
     if (step) ++steps_under_way_;
     return step;
-}
-
-bool RenderTask::ended() const {
-    const std::lock_guard lock(mutex_);
-    return phase_ == Phase::Ended;
 }
 
 void RenderTask::fail(const std::string& reason) noexcept {
@@ -95,15 +93,20 @@ bool RenderTask::cancel() {
     is_cancelled_ = true;
     give_up_ = true;
     if (phase_ != Phase::Waiting) return false;
-    phase_ = Phase::Ended;
+    end_locked();
     return true;
+}
+
+void RenderTask::end_locked() {
+    phase_ = Phase::Ended;
+    is_ended_ = true;
 }
 
 void RenderTask::prepare() {
     const StepGuard guard(*this);
     if (!listener_.begin(id_)) {
         const std::lock_guard lock(mutex_);
-        phase_ = Phase::Ended;
+        end_locked();
         return;
     }
     Result<PreparedRender> prepared = prepare_();
@@ -126,9 +129,11 @@ void RenderTask::trace(const renderer::Unit& unit) {
     {
         const std::lock_guard lock(mutex_);
         if (is_cancelled_ || !failure_.empty()) return;
-        if (result == nullptr) return prepared_.render->give_back(unit);
-        const bool pass_ended = prepared_.render->merge(std::move(result), seconds_locked());
-        if (pass_ended) note_error_locked();
+        if (result == nullptr) {
+            --units_under_way_;
+            return prepared_.render->give_back(unit);
+        }
+        const bool pass_ended = merge_locked(std::move(result));
         const auto now = Clock::now();
         // The last pass needs no preview: the finished picture follows at once.
         if (pass_ended && !prepared_.render->finished() && is_preview_due_locked(now)) {
@@ -143,6 +148,17 @@ void RenderTask::trace(const renderer::Unit& unit) {
     }
     if (progress) listener_.progress(id_, *progress);
     if (picture) make_preview(*picture);
+}
+
+bool RenderTask::merge_locked(std::unique_ptr<renderer::UnitResult> result) {
+    struct Reset {
+        std::atomic<bool>& flag;
+        ~Reset() { flag = false; }
+    } const reset{is_ending_pass_};
+    is_ending_pass_ = --units_under_way_ == 0 && !prepared_.render->has_units();
+    const bool pass_ended = prepared_.render->merge(std::move(result), seconds_locked());
+    if (pass_ended) note_error_locked();
+    return pass_ended;
 }
 
 void RenderTask::make_preview(const renderer::Picture& picture) {
@@ -173,9 +189,9 @@ void RenderTask::finish() {
     listener_.end(id_, std::move(result));
     const std::lock_guard lock(mutex_);
     last_progress_ = progress_locked();
-    phase_ = Phase::Ended;
     prepared_ = {};
     png_.clear();
+    end_locked();
 }
 
 RenderOutcome RenderTask::outcome() {
@@ -265,19 +281,23 @@ Result<ResultFile> RenderTask::file(const std::string& name) const {
     if (media_type.empty()) return bouguer::fail(ErrorKind::NotFound, "no such result");
     ResultFile file{{}, media_type, {}, false};
     std::optional<renderer::Picture> picture;
+    std::optional<renderer::Report> report;
     renderer::OutputSettings output;
+    JobDigests digests;
     {
         const std::lock_guard lock(mutex_);
         if (prepared_.render == nullptr || (is_image(name) && png_.empty())) return not_finished();
         output = prepared_.output;
+        digests = prepared_.digests;
         if (name == "image.png") {
             file.bytes = png_;
         } else if (name == "image.exr") {
             picture = prepared_.render->picture();
         } else {
-            file.bytes = report_file(name, report_locked(), prepared_.digests).value_or("");
+            report = report_locked();
         }
     }
+    if (report) file.bytes = report_file(name, *report, digests).value_or("");
     if (picture) {
         auto exr = renderer::encode_exr(*picture, output);
         if (!exr) return tl::unexpected(exr.error());

@@ -48,7 +48,8 @@ class RenderListener {
 };
 
 /// Thread-safe. Its steps are: prepare (build the scene), one for each unit, finish (make the
-/// files).
+/// files). What the scheduler asks (urgency, next_step, ended) does not wait while a pass is being
+/// ended, which takes long for a large picture: other jobs go on meanwhile.
 class RenderTask final : public Task {
   public:
     using Prepare = std::function<Result<PreparedRender>()>;  ///< called by a worker; may throw
@@ -62,7 +63,7 @@ class RenderTask final : public Task {
     [[nodiscard]] std::uint64_t memory_bytes() const override { return memory_bytes_; }
     [[nodiscard]] Urgency urgency() const override;
     [[nodiscard]] std::optional<Step> next_step() override;
-    [[nodiscard]] bool ended() const override;
+    [[nodiscard]] bool ended() const override { return is_ended_; }
     void fail(const std::string& reason) noexcept override;
 
     /// Begins no other unit. A task that has not begun ends at once and tells nobody; any other
@@ -86,6 +87,8 @@ class RenderTask final : public Task {
     class StepGuard;
 
     void prepare();
+    void end_locked();
+    [[nodiscard]] bool merge_locked(std::unique_ptr<renderer::UnitResult> result);
     void trace(const renderer::Unit& unit);
     void make_preview(const renderer::Picture& picture);
     void finish();
@@ -105,10 +108,13 @@ class RenderTask final : public Task {
     RenderListener& listener_;
 
     std::atomic<bool> give_up_ = false;  ///< units under way end without a result
-
+    std::atomic<bool> is_ended_ = false;
+    std::atomic<bool> is_ending_pass_ =
+        false;  ///< a worker holds mutex_ for long; no units are left
     mutable std::mutex mutex_;
     Phase phase_ = Phase::Waiting;  // guarded by mutex_, as all below
     int steps_under_way_ = 0;
+    int units_under_way_ = 0;  ///< handed out and not merged
     bool is_cancelled_ = false;
     std::string failure_;
     PreparedRender prepared_;

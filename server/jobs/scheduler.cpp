@@ -11,11 +11,9 @@ bool Scheduler::QueueOrder::operator()(const Entry& a, const Entry& b) const {
 }
 
 bool Scheduler::goes_before(const Entry& a, const Entry& b) {
-    const Urgency urgency_a = a.task->urgency();
-    const Urgency urgency_b = b.task->urgency();
-    if (urgency_a != urgency_b) return urgency_a < urgency_b;
+    if (a.urgency != b.urgency) return a.urgency < b.urgency;
     if (a.task->priority() != b.task->priority()) return a.task->priority() > b.task->priority();
-    if (urgency_a == Urgency::LaterPass && a.time != b.time) return a.time < b.time;
+    if (a.urgency == Urgency::LaterPass && a.time != b.time) return a.time < b.time;
     return a.sequence < b.sequence;
 }
 
@@ -35,7 +33,7 @@ void Scheduler::add_again(std::shared_ptr<Task> task) {
 }
 
 void Scheduler::enqueue(std::shared_ptr<Task> task) {
-    waiting_.insert({std::move(task), ++sequence_, 0});
+    waiting_.insert({std::move(task), ++sequence_});
 }
 
 void Scheduler::drop(const Task& task) {
@@ -79,6 +77,7 @@ std::optional<Scheduler::Work> Scheduler::next() {
     const std::lock_guard lock(mutex_);
     let_go_of_ended();
     activate_what_fits();
+    for (Entry& entry : active_) entry.urgency = entry.task->urgency();
     std::sort(active_.begin(), active_.end(), goes_before);
     for (const Entry& entry : active_) {
         if (auto step = entry.task->next_step()) return Work{entry.task, std::move(*step)};

@@ -54,8 +54,9 @@ class Scheduler {
   private:
     struct Entry {
         std::shared_ptr<Task> task;
-        std::uint64_t sequence = 0;  ///< age
-        double time = 0;             ///< seconds of threads, from the newcomer's start
+        std::uint64_t sequence = 0;            ///< age
+        double time = 0;                       ///< seconds of threads, from the newcomer's start
+        Urgency urgency = Urgency::FirstPass;  ///< as it was when next() looked: it may change
     };
     struct QueueOrder {
         bool operator()(const Entry& a, const Entry& b) const;

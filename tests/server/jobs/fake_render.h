@@ -10,13 +10,18 @@
 
 namespace bouguer::server {
 
-/// `passes` of `units` one-pixel units each. `on_trace` runs inside trace() and may block or throw.
+/// `passes` of `units` one-pixel units each. `on_trace` runs inside trace(), `on_pass` inside the
+/// merge() that ends a pass; both may block or throw.
 class FakeRender final : public renderer::Render {
   public:
     using OnTrace = std::function<void(const renderer::Unit&)>;
 
-    FakeRender(std::uint32_t passes, int units, OnTrace on_trace = {})
-        : passes_(passes), units_(units), on_trace_(std::move(on_trace)) {
+    FakeRender(std::uint32_t passes, int units, OnTrace on_trace = {},
+               std::function<void()> on_pass = {})
+        : passes_(passes),
+          units_(units),
+          on_trace_(std::move(on_trace)),
+          on_pass_(std::move(on_pass)) {
         begin_pass();
     }
 
@@ -34,6 +39,7 @@ class FakeRender final : public renderer::Render {
     }
     bool merge(std::unique_ptr<renderer::UnitResult>, double seconds) override {
         if (--unmerged_ > 0) return false;
+        if (on_pass_) on_pass_();
         ++pass_;
         renderer::ErrorPoint point;
         point.seconds = seconds;
@@ -70,6 +76,7 @@ class FakeRender final : public renderer::Render {
     const std::uint32_t passes_;
     const int units_;
     const OnTrace on_trace_;
+    const std::function<void()> on_pass_;
     std::deque<renderer::Unit> waiting_;
     int unmerged_ = 0;
     std::uint32_t pass_ = 0;

@@ -201,5 +201,44 @@ TEST_F(RenderTaskTest, TellsProgressAtMostFourTimesASecond) {
     EXPECT_GE(recorder_.previews, 1);
 }
 
+// The end of a pass takes long for a large picture; the second thread must not wait for it.
+TEST_F(RenderTaskTest, AnotherJobGoesOnWhileAPassIsEnded) {
+    std::promise<void> inside;
+    std::promise<void> go_on;
+    const auto large = make([&]() -> Result<PreparedRender> {
+        auto render = std::make_unique<FakeRender>(1, 3, FakeRender::OnTrace{}, [&] {
+            inside.set_value();
+            go_on.get_future().wait();
+        });
+        return PreparedRender{std::move(render), {}, {}, 0};
+    });
+    ASSERT_TRUE(scheduler_.add(large));
+    WorkerPool pool(scheduler_, 2);
+    inside.get_future().wait();
+    Recorder other;
+    const auto small = std::make_shared<RenderTask>(
+        "other", 0, 1,
+        []() -> Result<PreparedRender> {
+            return PreparedRender{std::make_unique<FakeRender>(2, 3), {}, {}, 0};
+        },
+        other);
+    ASSERT_TRUE(scheduler_.add(small));
+    pool.wake();
+    EXPECT_EQ(other.wait().state, JobState::Done);
+    EXPECT_FALSE(large->ended());
+    go_on.set_value();
+    EXPECT_EQ(recorder_.wait().state, JobState::Done);
+}
+
+TEST_F(RenderTaskTest, FailsWhenTheEndOfAPassThrows) {
+    const RenderOutcome outcome = run(make([]() -> Result<PreparedRender> {
+        auto render = std::make_unique<FakeRender>(2, 3, FakeRender::OnTrace{},
+                                                   [] { throw std::bad_alloc(); });
+        return PreparedRender{std::move(render), {}, {}, 0};
+    }));
+    EXPECT_EQ(outcome.state, JobState::Failed);
+    EXPECT_EQ(outcome.failure, "out of memory");
+}
+
 }  // namespace
 }  // namespace bouguer::server
