@@ -14,6 +14,7 @@ namespace bouguer::renderer {
 /// A value with its 95 % interval.
 struct Estimate {
     double value = 0, low = 0, high = 0;
+    bool operator==(const Estimate&) const = default;
 };
 
 /// One point of the curve error(t), at the end of a pass.

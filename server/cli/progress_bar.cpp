@@ -26,7 +26,7 @@ std::string progress_line(const JobProgress& progress) {
     if (progress.seconds > 0) {
         line << "  " << static_cast<double>(progress.rays) / progress.seconds / 1e6 << " Mrays/s";
     }
-    if (progress.relative_rmse) line << "  error " << 100 * *progress.relative_rmse << " %";
+    if (progress.relative_rmse) line << "  error " << 100 * progress.relative_rmse->value << " %";
     if (progress.seconds_left) {
         line << "  " << std::setprecision(0) << std::ceil(*progress.seconds_left) << " s left";
     }

@@ -79,9 +79,8 @@ void print_summary(const JobProgress& progress) {
     std::cout << progress.samples << " samples a pixel in " << progress.seconds << " s, "
               << static_cast<double>(progress.rays) / 1e6 << " million rays";
     if (progress.relative_rmse) {
-        std::cout << ", relative RMSE " << *progress.relative_rmse << " ("
-                  << progress.relative_rmse_low.value_or(0) << " to "
-                  << progress.relative_rmse_high.value_or(0) << ")";
+        std::cout << ", relative RMSE " << progress.relative_rmse->value << " ("
+                  << progress.relative_rmse->low << " to " << progress.relative_rmse->high << ")";
     }
     std::cout << "\n";
 }

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "renderer/report.h"
+
 namespace bouguer::server {
 
 using JobId = std::string;  ///< UUIDv7, lower case [RFC 9562 §5.7]: sorts by time of submission
@@ -50,7 +52,7 @@ struct JobProgress {
     std::uint64_t rays = 0;
     double seconds = 0;
     std::optional<double> seconds_left;
-    std::optional<double> relative_rmse, relative_rmse_low, relative_rmse_high;
+    std::optional<renderer::Estimate> rmse, relative_rmse;  ///< of the newest pass; empty: unknown
     bool operator==(const JobProgress&) const = default;
 };
 

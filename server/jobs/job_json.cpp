@@ -26,17 +26,18 @@ std::string names_json(const std::vector<std::string>& names) {
     return json.text();
 }
 
+std::string estimate_json(const std::optional<renderer::Estimate>& estimate) {
+    if (!estimate) return "null";
+    return api::JsonObject()
+        .set("value", estimate->value)
+        .set("low", estimate->low)
+        .set("high", estimate->high)
+        .text();
+}
+
 }  // namespace
 
 std::string progress_json(const JobProgress& progress) {
-    std::string error = "null";
-    if (progress.relative_rmse) {
-        error = api::JsonObject()
-                    .set("value", progress.relative_rmse)
-                    .set("low", progress.relative_rmse_low)
-                    .set("high", progress.relative_rmse_high)
-                    .text();
-    }
     return api::JsonObject()
         .set("fraction", progress.fraction)
         .set("samples", progress.samples)
@@ -44,7 +45,8 @@ std::string progress_json(const JobProgress& progress) {
         .set("rays", progress.rays)
         .set("seconds", progress.seconds)
         .set("seconds_left", progress.seconds_left)
-        .set_json("relative_rmse", error)
+        .set_json("rmse", estimate_json(progress.rmse))
+        .set_json("relative_rmse", estimate_json(progress.relative_rmse))
         .text();
 }
 

@@ -8,8 +8,8 @@
 
 namespace bouguer::server {
 
-/// {"fraction", "samples", "pass", "rays", "seconds", "seconds_left", "relative_rmse": {"value",
-/// "low", "high"}}; null for what is not known.
+/// {"fraction", "samples", "pass", "rays", "seconds", "seconds_left", "rmse" and "relative_rmse":
+/// {"value", "low", "high"}}; null for what is not known.
 [[nodiscard]] std::string progress_json(const JobProgress& progress);
 
 /// Data of "progress" and "preview" events: {"id", "progress"}.

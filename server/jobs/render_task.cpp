@@ -228,11 +228,9 @@ double RenderTask::seconds_locked() const {
 
 void RenderTask::note_error_locked() {
     const auto curve = prepared_.render->report().error;
-    if (curve.empty() || !curve.back().relative_rmse) return;
-    const renderer::Estimate& estimate = *curve.back().relative_rmse;
-    last_progress_.relative_rmse = estimate.value;
-    last_progress_.relative_rmse_low = estimate.low;
-    last_progress_.relative_rmse_high = estimate.high;
+    if (curve.empty()) return;
+    last_progress_.rmse = curve.back().rmse;
+    last_progress_.relative_rmse = curve.back().relative_rmse;
 }
 
 JobProgress RenderTask::progress_locked() const {

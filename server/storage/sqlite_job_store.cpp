@@ -21,8 +21,8 @@ namespace {
 
 constexpr const char* kColumns =
     "id, state, priority, created_ms, started_ms, ended_ms, revision, memory_bytes, name, "
-    "scene_digest, digest, failure, fraction, samples, passes, rays, seconds, relative_rmse, "
-    "relative_rmse_low, relative_rmse_high";
+    "scene_digest, digest, failure, fraction, samples, passes, rays, seconds, rmse, rmse_low, "
+    "rmse_high, relative_rmse, relative_rmse_low, relative_rmse_high";
 
 tl::unexpected<Error> no_such_job() { return fail(ErrorKind::NotFound, "no such job"); }
 
@@ -47,9 +47,11 @@ std::map<std::string, std::string> read_labels(SQLite::Database& db, const JobId
     return labels;
 }
 
-std::optional<double> optional_double(const SQLite::Column& column) {
-    if (column.isNull()) return std::nullopt;
-    return column.getDouble();
+/// Three columns from column `i` on.
+std::optional<renderer::Estimate> read_estimate(SQLite::Statement& query, int i) {
+    if (query.getColumn(i).isNull()) return std::nullopt;
+    return renderer::Estimate{query.getColumn(i).getDouble(), query.getColumn(i + 1).getDouble(),
+                              query.getColumn(i + 2).getDouble()};
 }
 
 /// From column `i` on.
@@ -60,18 +62,21 @@ JobProgress read_progress(SQLite::Statement& query, int i) {
     progress.pass = static_cast<std::uint32_t>(query.getColumn(i + 2).getInt64());
     progress.rays = static_cast<std::uint64_t>(query.getColumn(i + 3).getInt64());
     progress.seconds = query.getColumn(i + 4).getDouble();
-    progress.relative_rmse = optional_double(query.getColumn(i + 5));
-    progress.relative_rmse_low = optional_double(query.getColumn(i + 6));
-    progress.relative_rmse_high = optional_double(query.getColumn(i + 7));
+    progress.rmse = read_estimate(query, i + 5);
+    progress.relative_rmse = read_estimate(query, i + 8);
     return progress;
 }
 
-void bind_optional(SQLite::Statement& row, int i, const std::optional<double>& value) {
-    if (value) {
-        row.bind(i, *value);
-    } else {
-        row.bind(i);
+/// Three parameters from `i` on.
+void bind_estimate(SQLite::Statement& row, int i,
+                   const std::optional<renderer::Estimate>& estimate) {
+    if (!estimate) {
+        for (int k = 0; k < 3; ++k) row.bind(i + k);
+        return;
     }
+    row.bind(i, estimate->value);
+    row.bind(i + 1, estimate->low);
+    row.bind(i + 2, estimate->high);
 }
 
 /// To parameter `i` and the following.
@@ -81,9 +86,8 @@ void bind_progress(SQLite::Statement& row, int i, const JobProgress& progress) {
     row.bind(i + 2, static_cast<std::int64_t>(progress.pass));
     row.bind(i + 3, static_cast<std::int64_t>(progress.rays));
     row.bind(i + 4, progress.seconds);
-    bind_optional(row, i + 5, progress.relative_rmse);
-    bind_optional(row, i + 6, progress.relative_rmse_low);
-    bind_optional(row, i + 7, progress.relative_rmse_high);
+    bind_estimate(row, i + 5, progress.rmse);
+    bind_estimate(row, i + 8, progress.relative_rmse);
 }
 
 /// The row that `query` stands on; its columns are kColumns.
@@ -132,10 +136,10 @@ Result<std::optional<InsertedJob>> known_key(SQLite::Database& db, const Idempot
 }
 
 void insert_job(SQLite::Database& db, const Job& job) {
-    SQLite::Statement row(
-        db,
-        std::string("INSERT INTO jobs (") + kColumns +
-            ", request) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    SQLite::Statement row(db, std::string("INSERT INTO jobs (") + kColumns +
+                                  ", request) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+                                  "?, ?, ?, ?, ?, ?, ?, ?, "
+                                  "?)");
     row.bind(1, job.id);
     row.bind(2, std::string(to_string(job.state)));
     row.bind(3, job.priority);
@@ -149,7 +153,7 @@ void insert_job(SQLite::Database& db, const Job& job) {
     row.bind(11, job.digest);
     row.bind(12, job.failure);
     bind_progress(row, 13, job.progress);
-    row.bind(21, job.request);
+    row.bind(24, job.request);
     row.exec();
     for (const auto& [name, value] : job.labels) {
         SQLite::Statement label(db,
@@ -175,15 +179,16 @@ void store_transition(SQLite::Database& db, const Job& job) {
     SQLite::Statement row(
         db,
         "UPDATE jobs SET state = ?, started_ms = ?, ended_ms = ?, revision = ?, failure = ?, "
-        "fraction = ?, samples = ?, passes = ?, rays = ?, seconds = ?, relative_rmse = ?, "
-        "relative_rmse_low = ?, relative_rmse_high = ? WHERE id = ?");
+        "fraction = ?, samples = ?, passes = ?, rays = ?, seconds = ?, rmse = ?, "
+        "rmse_low = ?, rmse_high = ?, relative_rmse = ?, relative_rmse_low = ?, relative_rmse_high "
+        "= ? WHERE id = ?");
     row.bind(1, std::string(to_string(job.state)));
     row.bind(2, job.started_ms);
     row.bind(3, job.ended_ms);
     row.bind(4, static_cast<std::int64_t>(job.revision));
     row.bind(5, job.failure);
     bind_progress(row, 6, job.progress);
-    row.bind(14, job.id);
+    row.bind(17, job.id);
     row.exec();
 }
 

@@ -13,7 +13,7 @@ TEST(ProgressBar, SaysHowFarHowFastHowGoodAndHowLong) {
     progress.rays = 3'000'000;
     progress.seconds = 2;
     progress.seconds_left = 2.4;
-    progress.relative_rmse = 0.0213;
+    progress.relative_rmse = renderer::Estimate{0.0213, 0.02, 0.0227};
     EXPECT_EQ(progress_line(progress),
               "[###############               ]  50 %  8 samples  1.50 Mrays/s  error 2.13 %  "
               "3 s left");

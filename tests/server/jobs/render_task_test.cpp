@@ -75,7 +75,7 @@ TEST_F(RenderTaskTest, MakesEveryFileWhenItIsDone) {
     EXPECT_EQ(outcome.files.size(), 7U);
     EXPECT_EQ(outcome.progress.samples, 3U);
     EXPECT_EQ(outcome.progress.fraction, 1.0);
-    EXPECT_DOUBLE_EQ(outcome.progress.relative_rmse.value(), 1.0 / 3);
+    EXPECT_DOUBLE_EQ(outcome.progress.relative_rmse.value().value, 1.0 / 3);
     EXPECT_EQ(recorder_.begun, 1);
 }
 

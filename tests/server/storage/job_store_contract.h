@@ -172,7 +172,14 @@ TYPED_TEST_P(JobStoreContract, TransitionsSetTimesAndRevision) {
     EXPECT_EQ(running->state, JobState::Running);
     EXPECT_EQ(running->started_ms, 50);
     EXPECT_EQ(running->revision, 2U);
-    const JobProgress progress{0.5, 8, 3, 1'000'000'000'000, 1.25, {}, 0.1, 0.09, 0.125};
+    const JobProgress progress{0.5,
+                               8,
+                               3,
+                               1'000'000'000'000,
+                               1.25,
+                               {},
+                               renderer::Estimate{0.01, 0.009, 0.0125},
+                               renderer::Estimate{0.1, 0.09, 0.125}};
     const auto failed = this->store_->transition(
         id_number(1), {JobState::Running, JobState::Failed, 60, "no light", progress});
     ASSERT_TRUE(failed);
