@@ -24,7 +24,9 @@ namespace {
 #define BOUGUER_FOR_EVERY_CPU [[gnu::target_clones("avx512f", "avx2", "default")]]
 #endif
 
-[[gnu::always_inline]] inline Float8 exp_of_nonpositive(Float8 x) {
+/// e^x lane by lane for x <= 0. [Cody and Waite 1980, ch. 6: reduction by ln 2 in two parts; the
+/// polynomial is a Taylor series to the seventh power on |r| <= ln(2)/2]
+[[gnu::always_inline]] inline Float8 exp_nonpositive(Float8 x) {
     using Int8 = std::int32_t __attribute__((vector_size(32)));
     constexpr float kLog2e = 1.44269504F;
     constexpr float kLn2High = 0.693359375F;  // 9 bits: its product with |k| < 128 is exact
@@ -48,11 +50,9 @@ namespace {
 
 }  // namespace
 
-Float8 exp_nonpositive(Float8 x) { return exp_of_nonpositive(x); }
-
 BOUGUER_FOR_EVERY_CPU
 void attenuate(Float8* weight, const Float8* log_t, float length, std::size_t blocks) {
-    for (std::size_t i = 0; i < blocks; ++i) weight[i] *= exp_of_nonpositive(log_t[i] * length);
+    for (std::size_t i = 0; i < blocks; ++i) weight[i] *= exp_nonpositive(log_t[i] * length);
 }
 
 BOUGUER_FOR_EVERY_CPU

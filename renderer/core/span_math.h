@@ -53,19 +53,14 @@ class SpectralTable {
     Float8Vector data_;
 };
 
-inline Float8 splat(float x) { return Float8{x, x, x, x, x, x, x, x}; }
-
-/// e^x lane by lane for x <= 0, to 2 units in the last place; 0 below -87. [Cody and Waite 1980,
-/// ch. 6: reduction by ln 2 in two parts; the polynomial is a Taylor series to the seventh power on
-/// |r|
-/// <= ln(2)/2]
-Float8 exp_nonpositive(Float8 x);
+[[gnu::always_inline]] inline Float8 splat(float x) { return Float8{x, x, x, x, x, x, x, x}; }
 
 // The loops of the shading, on rows of `blocks` Float8s each. Compiled for several instruction sets
 // and chosen when the program starts; the arithmetic is lane by lane and never contracted, so all
 // give the same bits.
 
-/// weight *= e^(log_t * length): Bouguer's law along a path. log_t <= 0, length >= 0.
+/// weight *= e^(log_t * length): Bouguer's law along a path. log_t <= 0, length >= 0. The
+/// exponential is right to 2 units in the last place of its (rounded) argument, and 0 below e^-87.
 void attenuate(Float8* weight, const Float8* log_t, float length, std::size_t blocks);
 
 /// row *= scale * factor

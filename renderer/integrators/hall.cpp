@@ -154,6 +154,9 @@ class HallWalk {
             const LightSample light = scene_.lights()[l].sample(at.hit.p);
             const Real cosine = dot(at.n, light.wi);
             const bool behind = cosine <= 0;
+            // Where interpolated and real normal disagree on the side that the lamp is on, nothing
+            // arrives: a ray to it would not go through the surface that the term is about.
+            if (behind != (dot(at.ng, light.wi) <= 0)) continue;
             const float k = behind ? at.surface->k_st : at.surface->k_sr;
             if (k == 0 || cosine == 0 || light.scale == 0) continue;
             const auto scale =
@@ -174,6 +177,7 @@ class HallWalk {
         if (at.surface->k_sr == 0) return;
         const Vec2 u = sampler_.get_2d(mix(node) + kDimensionEnvironment);
         const Vec3 wi = Frame(at.n).to_world(sample_cosine_power(u, at.surface->n));
+        if (dot(at.ng, wi) <= 0) return;
         const auto scale = static_cast<float>(at.surface->k_sr * 2 * kPi / (at.surface->n + 1));
         add_if_visible(at, wi, std::numeric_limits<Real>::infinity(), false, depth, media, scale,
                        tables_.row(*tables_.environment), tables_.row(at.surface->reflectance));
