@@ -114,5 +114,22 @@ TEST_F(WebRoutesTest, EveryProblemCodeIsExplained) {
     }
 }
 
+// The codes inside `errors` are the contract's own list.
+TEST_F(WebRoutesTest, EveryCodeOfADocumentsProblemsIsExplained) {
+    start();
+    const std::string page = ask("GET", "/docs/problems").body;
+    std::ostringstream text;
+    text << std::ifstream(std::string(BOUGUER_SOURCE_DIR) + "/api/openapi.yaml").rdbuf();
+    const std::string contract = text.str();
+    const std::size_t begin = contract.find("    DocumentProblem:");
+    ASSERT_NE(begin, std::string::npos);
+    const std::string list = contract.substr(begin, contract.find("detail:", begin) - begin);
+    const std::set<std::string> codes = all_matches(list, "\n            - ([a-z0-9-]+)");
+    EXPECT_GE(codes.size(), 20U);
+    for (const std::string& code : codes) {
+        EXPECT_NE(page.find("<dt id=\"" + code + "\">"), std::string::npos) << code;
+    }
+}
+
 }  // namespace
 }  // namespace bouguer::server::testing
