@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "api/digest.h"
+#include "api/document_assets.h"
 #include "api/job_reader.h"
 #include "api/json_reader.h"
 #include "api/json_tree.h"
@@ -57,7 +58,8 @@ Result<JobRequest> parse(std::string_view text, const Limits& limits, const Asse
     auto tree = read_json_tree(text, limits);
     if (!tree) return tl::unexpected(std::move(tree).error());
     Problems problems(limits.problems);
-    const ReadContext context{limits, assets};
+    const DocumentAssets document_assets(assets);
+    const ReadContext context{limits, document_assets};
     JobRequest job;
     if (!must_be_scene && is_job(*tree)) {
         read_job(JsonValue(*tree, "", problems), context, job);

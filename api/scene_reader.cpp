@@ -49,6 +49,10 @@ std::vector<renderer::MaterialDescription> read_materials(const std::optional<Js
     }
     for (const auto& [name, json] : value->json().items()) {
         names.emplace(name, materials.size());
+        if (materials.size() >= limits.materials) {  // known by name only
+            materials.emplace_back();
+            continue;
+        }
         auto model = read_material(value->member(name), spectra);
         materials.push_back({name, std::move(model).value_or(renderer::MaterialModel{})});
     }

@@ -132,13 +132,22 @@ std::optional<ReadSpectrum> read_scaled(SpectrumReader& spectra, JsonReader& rea
                         base->high * *scale, base->parts};
 }
 
-/// The product of two. Its bounds are those on the grid, unless a factor is narrower than that.
-ReadSpectrum multiplied(const ReadSpectrum& a, const ReadSpectrum& b) {
-    ReadSpectrum product = with_bounds(renderer::product_spectrum(a.spectrum, b.spectrum));
-    product.parts = a.parts + b.parts;
-    const bool is_narrow =
-        a.high > with_bounds(a.spectrum).high || b.high > with_bounds(b.spectrum).high;
-    if (is_narrow) product.high = std::max(product.high, a.high * b.high);
+/// The product of all. Its bounds are those on the grid, unless a factor is narrower than that.
+ReadSpectrum multiplied(const std::vector<ReadSpectrum>& factors) {
+    renderer::SpectrumPtr spectrum = factors.front().spectrum;
+    for (std::size_t i = 1; i < factors.size(); ++i) {
+        spectrum = renderer::product_spectrum(std::move(spectrum), factors[i].spectrum);
+    }
+    ReadSpectrum product = with_bounds(std::move(spectrum));
+    product.parts = 0;
+    bool is_narrow = false;
+    double high = 1;
+    for (const ReadSpectrum& factor : factors) {
+        product.parts += factor.parts;
+        is_narrow = is_narrow || factor.high > with_bounds(factor.spectrum).high;
+        high *= factor.high;
+    }
+    if (is_narrow) product.high = std::max(product.high, high);
     return product;
 }
 
@@ -146,18 +155,22 @@ std::optional<ReadSpectrum> read_product(SpectrumReader& spectra, JsonReader& re
     const auto at = reader.require("product");
     const std::size_t most = spectra.limits().spectrum_parts;
     if (!at || !at->is_array(2, most, "spectra")) return std::nullopt;
-    std::optional<ReadSpectrum> product;
+    std::vector<ReadSpectrum> factors;
+    std::size_t parts = 0;
     bool is_good = true;
     for (std::size_t i = 0; i < at->json().size(); ++i) {
         const auto factor = spectra.any(at->element(i));
         is_good = is_good && factor;
-        if (is_good) product = product ? multiplied(*product, *factor) : factor;
-        if (!is_good || product->parts <= most) continue;
+        if (!is_good) continue;
+        factors.push_back(*factor);
+        parts += factor->parts;
+        if (parts <= most) continue;
         at->report("over-limit", "the product has too many factors, with those of its factors",
                    "at most " + std::to_string(most) + " factors");
         return std::nullopt;
     }
-    return is_good ? product : std::nullopt;
+    if (!is_good) return std::nullopt;
+    return multiplied(factors);
 }
 
 struct SpectrumKind {
@@ -204,12 +217,15 @@ SpectrumReader::SpectrumReader(std::optional<JsonValue> definitions, const Limit
         definitions->report_type("an object of spectra by name");
         return;
     }
+    // Too many are known by name only: nobody reads them.
+    auto state = Definition::State::Unread;
     if (definitions->json().size() > limits.spectra) {
         definitions->report("over-limit", "there are too many spectra",
                             "at most " + std::to_string(limits.spectra) + " spectra");
+        state = Definition::State::Read;
     }
     for (const auto& [name, json] : definitions->json().items()) {
-        definitions_.emplace(name, Definition{definitions->member(name), {}, {}});
+        definitions_.emplace(name, Definition{definitions->member(name), state, {}});
     }
 }
 

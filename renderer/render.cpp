@@ -59,17 +59,18 @@ class ProgressiveRender final : public Render {
                                       const std::atomic<bool>* give_up) const override {
         auto result = std::make_unique<UnitResult>(unit, film_.replicates());
         const auto scratch = integrator_->make_scratch();
+        scratch->give_up = give_up;
         for (int y = unit.y; y < unit.y + unit.height; ++y) {
             for (int x = unit.x; x < unit.x + unit.width; ++x) {
-                if (give_up != nullptr && give_up->load(std::memory_order_relaxed)) return nullptr;
                 for (std::uint32_t s = 0; s < unit.num_samples; ++s) {
                     const std::uint32_t sample = unit.first_sample + s;
                     const PixelSampler sampler(settings_.seed, x, y, sample, film_.replicates());
                     const Vec2 offset =
                         sample_filter(settings_.filter, sampler.get_2d(kDimensionFilm));
                     const Ray ray = camera_.generate({x + 0.5 + offset.x, y + 0.5 + offset.y});
-                    result->add_sample(
-                        x, y, sample, integrator_->trace(ray, sampler, *scratch, result->counters));
+                    const Xyz value = integrator_->trace(ray, sampler, *scratch, result->counters);
+                    if (scratch->has_given_up()) return nullptr;
+                    result->add_sample(x, y, sample, value);
                 }
             }
         }

@@ -62,7 +62,7 @@ class Render {
     /// was merged.
     [[nodiscard]] virtual std::optional<Unit> next_unit() = 0;
     /// Pure function of scene, settings and unit. When `give_up`, which may be null, becomes true,
-    /// it returns null within a pixel's time.
+    /// it returns null within the time of a few rays.
     [[nodiscard]] virtual std::unique_ptr<UnitResult> trace(
         const Unit& unit, const std::atomic<bool>* give_up = nullptr) const = 0;
     /// Takes a unit's result; `seconds` is the wall time since the render began. Returns whether

@@ -51,7 +51,8 @@ struct Health {
     std::uint64_t rejected_nan = 0, rejected_infinite = 0, rejected_negative = 0;
     std::vector<RejectedSample> rejected;  ///< the first few, to replay
     std::uint64_t rays_cut_by_depth = 0, rays_cut_by_threshold = 0;
-    std::uint64_t unmatched_exits = 0;         ///< rays that left a body they had not entered
+    std::uint64_t unmatched_exits =
+        0;  ///< rays that left a body they had not entered, or the scene from inside one
     std::uint64_t medium_stack_overflows = 0;  ///< more bodies inside each other than are tracked
     std::uint64_t shadow_rays_cut = 0;    ///< shadow rays that met more surfaces than are followed
     std::uint64_t total_reflections = 0;  ///< for information

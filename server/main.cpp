@@ -23,6 +23,12 @@ int run(const Command& command) {
     return std::visit(Runner{}, command);
 }
 
+/// What was printed has to arrive: a full disk behind standard output is a failure.
+int with_output(int exit_code) {
+    std::cout.flush();
+    return exit_code == kExitOk && !std::cout ? kExitFailed : exit_code;
+}
+
 int say(const UsageMessage& message) {
     (message.exit_code == kExitOk ? std::cout : std::cerr) << message.text;
     return message.exit_code;
@@ -36,8 +42,8 @@ int main(int argc, char** argv) {
     try {
         const std::span<const char* const> arguments(argv, static_cast<std::size_t>(argc));
         const auto line = read_command_line(arguments.subspan(1));
-        if (const auto* command = std::get_if<Command>(&line)) return run(*command);
-        return say(std::get<UsageMessage>(line));
+        if (const auto* command = std::get_if<Command>(&line)) return with_output(run(*command));
+        return with_output(say(std::get<UsageMessage>(line)));
     } catch (const std::exception& e) {
         std::cerr << "bouguer: " << e.what() << "\n";
         return kExitFailed;

@@ -88,10 +88,17 @@ class HallWalk {
     /// Adds what arrives along `ray`, weighted by throughput(depth), to the sample. `node` names
     /// the place in the tree.
     void follow(const Ray& ray, int depth, MediumStack media, std::uint64_t node) {
+        if (scratch_.has_given_up()) return;
         ++nodes_;
         ++counters_.rays;
         const auto hit = scene_.geometry().intersect(ray);
         if (!hit) {
+            if constexpr (Transparency) {
+                // Inside a body without end, or one that the ray slipped out of: nothing comes that
+                // the body absorbs.
+                if (media.innermost() != MediumStack::kOutside) ++counters_.unmatched_exits;
+                absorb(media, kEndless, scratch_.throughput(depth));
+            }
             if (tables_.environment) add(depth, 1, tables_.row(*tables_.environment));
             return;
         }
@@ -150,7 +157,7 @@ class HallWalk {
 
     /// First terms of equations 3 and 4: every lamp by itself.
     void add_lamps(const SurfacePoint& at, int depth, const MediumStack& media) {
-        for (std::size_t l = 0; l < scene_.lights().size(); ++l) {
+        for (std::size_t l = 0; l < scene_.lights().size() && !scratch_.has_given_up(); ++l) {
             const LightSample light = scene_.lights()[l].sample(at.hit.p);
             const Real cosine = dot(at.n, light.wi);
             const bool behind = cosine <= 0;

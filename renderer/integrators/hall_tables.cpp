@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/integrators/hall_tables.h"
 
+#include <set>
+
 namespace bouguer::renderer {
 HallTables::HallTables(const Scene& scene, const SpectralBasis& basis)
     : spectra(basis.size()),
       object_surface(scene.object_materials()),
       object_is_sheet(scene.object_is_sheet()) {
-    for (const MaterialDescription& material : scene.materials()) {
-        surfaces.push_back(bind_hall(std::get<HallMaterial>(material.model), basis, spectra));
+    // What no object uses stays unbound: the basis was chosen without it.
+    surfaces.resize(scene.materials().size());
+    const std::set<std::uint32_t> used(object_surface.begin(), object_surface.end());
+    for (const std::uint32_t m : used) {
+        surfaces[m] = bind_hall(std::get<HallMaterial>(scene.materials()[m].model), basis, spectra);
     }
     for (const Light& light : scene.lights()) {
         light_emission.push_back(spectra.add(basis.emission(*light.spectrum())));

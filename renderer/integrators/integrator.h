@@ -2,6 +2,7 @@
 // What every integrator does: the colour that arrives along one camera ray.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -28,6 +29,12 @@ struct TraceCounters {
 class TraceScratch {
   public:
     virtual ~TraceScratch() = default;
+
+    /// When it becomes true, samples under way end early and what they give means nothing.
+    const std::atomic<bool>* give_up = nullptr;
+    [[nodiscard]] bool has_given_up() const {
+        return give_up != nullptr && give_up->load(std::memory_order_relaxed);
+    }
 };
 
 /// Immutable and thread-safe; each thread brings its own scratch and counters.

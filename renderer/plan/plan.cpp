@@ -12,6 +12,10 @@
 namespace bouguer::renderer {
 namespace {
 
+/// Pairs of lamp and surface that quadrature_error() looks at; of the lamps beyond, their own light
+/// only.
+constexpr std::size_t kMaxPairs = 20'000;
+
 std::vector<const HallMaterial*> materials_in_use(const Scene& scene) {
     const std::set<std::uint32_t> used(scene.object_materials().begin(),
                                        scene.object_materials().end());
@@ -49,7 +53,7 @@ PlanItem item(std::string feature, bool needed, std::string reason_if_needed,
             needed ? std::move(reason_if_needed) : std::move(reason_if_not)};
 }
 
-std::vector<PlanItem> list(const SceneNeeds& needs) {
+std::vector<PlanItem> list(const SceneNeeds& needs, const SpectralBasis& basis) {
     return {
         item("transparency", needs.transparency, "a material in use has k_st > 0",
              "no material in use transmits: no refracted rays, and shadow rays stop at the first "
@@ -67,13 +71,17 @@ std::vector<PlanItem> list(const SceneNeeds& needs) {
              "no ambient weights to find by rays"),
         item("environment", needs.environment, "rays that leave the scene see light",
              "rays that leave the scene see black"),
-        item("shadow rays", needs.shadows, "there are lamps", "nothing to be in the shadow of"),
+        item("shadow rays", needs.shadows,
+             "there are lamps, or an environment that matt surfaces see",
+             "nothing to be in the shadow of"),
         item("light selection", needs.several_lights,
              "more than one lamp: every lamp is asked at every point", "at most one lamp"),
-        item("wavelengths", needs.wavelengths,
-             "colours differ: a path carries the whole quadrature",
-             "every material is grey and the lamps have one colour: one number stands for the "
-             "spectrum"),
+        item("wavelengths", basis.name() == "wavelengths",
+             needs.wavelengths ? "colours differ: a path carries the whole quadrature"
+                               : "one number would do, but the general form was asked for",
+             basis.name() == "rgb" ? "the baseline carries three channels"
+                                   : "every material is grey and the lamps have one colour: one "
+                                     "number stands for the spectrum"),
         item("textures", false, "", "this version has none"),
         item("dispersion", false, "", "every index of refraction is one number"),
     };
@@ -138,8 +146,10 @@ double quadrature_error(const Scene& scene, double step_nm) {
         }
     }
     double worst = 0;
+    std::size_t pairs = 0;
     for (const Pair& lamp : lamps) {
         for (const Pair& surface : surfaces) {
+            if (++pairs > kMaxPairs && &surface != &surfaces.front()) break;
             std::array<Xyz, 2> colour;
             for (std::size_t b = 0; b < 2; ++b) {
                 std::vector<float> product = lamp[b];
@@ -159,7 +169,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
     const SceneNeeds needs = analyse(scene);
     const SpectralBasis basis = choose_basis(scene, needs, settings);
     Plan plan;
-    plan.items = list(needs);
+    plan.items = list(needs, basis);
     plan.kernel = integrator_entry(settings.integrator).kernel_name(needs, settings);
     plan.basis = basis.name();
     plan.values_per_path = basis.size();

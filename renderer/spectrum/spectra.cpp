@@ -32,6 +32,9 @@ class ScaledSpectrum final : public Spectrum {
         return {inner.base, factor_ * inner.factor};
     }
 
+    [[nodiscard]] const SpectrumPtr& base() const { return base_; }
+    [[nodiscard]] double factor() const { return factor_; }
+
   private:
     SpectrumPtr base_;
     double factor_;
@@ -67,6 +70,10 @@ SpectrumPtr constant_spectrum(double value) {
 }
 
 SpectrumPtr scaled_spectrum(SpectrumPtr base, double factor) {
+    // A multiple of a multiple is one multiple: chains of them cost nothing.
+    if (const auto scaled = std::dynamic_pointer_cast<const ScaledSpectrum>(base)) {
+        return std::make_shared<ScaledSpectrum>(scaled->base(), factor * scaled->factor());
+    }
     return std::make_shared<ScaledSpectrum>(std::move(base), factor);
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <fstream>
 #include <future>
 #include <iostream>
 #include <thread>
@@ -62,9 +64,24 @@ RenderOutcome render(api::JobRequest job, int threads, StopSignal& stop) {
     return future.get();
 }
 
+/// Regular files are replaced as a whole, also behind links; devices and pipes are written to.
+Result<void> write_output(const std::filesystem::path& file, std::string_view bytes) {
+    std::error_code unknown;
+    const auto target = std::filesystem::weakly_canonical(file, unknown);
+    const auto status = std::filesystem::status(target, unknown);
+    if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
+        return replace_file(target.empty() ? file : target, bytes);
+    }
+    std::ofstream out(target, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) return fail(ErrorKind::Internal, "cannot write to " + file.string());
+    return {};
+}
+
 Result<void> write_results(const RenderOptions& options, const RenderOutcome& outcome) {
     const auto write = [&](const std::filesystem::path& file, const std::string& result) {
-        auto written = replace_file(file, outcome.files.at(result));
+        auto written = write_output(file, outcome.files.at(result));
         if (written) std::cout << "wrote " << file.string() << "\n";
         return written;
     };

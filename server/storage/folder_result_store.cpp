@@ -90,6 +90,8 @@ Result<StoredFile> FolderResultStore::get(const JobId& id, const std::string& na
     const auto entry = manifest->find(name);
     if (entry == manifest->end()) return no_such_result();
     auto bytes = read_file(root_ / id / name, std::numeric_limits<std::size_t>::max());
+    // Removed since the manifest was read.
+    if (!bytes && !std::filesystem::exists(root_ / id)) return no_such_result();
     if (!bytes || api::sha256_hex(*bytes) != entry->second) {
         return fail(ErrorKind::Internal, "the stored " + name + " is damaged", "result-damaged");
     }

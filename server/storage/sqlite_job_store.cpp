@@ -308,14 +308,16 @@ Result<std::vector<Job>> SqliteJobStore::unfinished() const {
 }
 
 bool SqliteJobStore::healthy() const {
-    const std::lock_guard lock(connection_->mutex);
-    return guarded([&]() -> Result<bool> {
-               // Takes and gives back the write lock: fails when the file went read-only.
-               SQLite::Transaction transaction(connection_->database,
-                                               SQLite::TransactionBehavior::IMMEDIATE);
-               return true;
-           })
-        .value_or(false);
+    // Asked by the thread that owns every connection: it must not wait for a disk.
+    const std::unique_lock lock(connection_->mutex, std::try_to_lock);
+    if (!lock) return was_healthy_;
+    was_healthy_ = guarded([&]() -> Result<bool> {
+                       // Takes and gives back the write lock: fails when the file went read-only.
+                       SQLite::Transaction transaction(connection_->database,
+                                                       SQLite::TransactionBehavior::IMMEDIATE);
+                       return true;
+                   }).value_or(false);
+    return was_healthy_;
 }
 
 }  // namespace bouguer::server

@@ -2,6 +2,7 @@
 // Jobs in one SQLite file: the record of a single machine.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 
@@ -37,6 +38,7 @@ class SqliteJobStore final : public JobStore {
     explicit SqliteJobStore(std::unique_ptr<Connection> connection);
 
     std::unique_ptr<Connection> connection_;
+    mutable std::atomic<bool> was_healthy_ = true;  ///< the newest answer of healthy()
 };
 
 }  // namespace bouguer::server

@@ -220,6 +220,36 @@ TEST(JobDocument, RefusesABodyOverTheLimitBeforeReadingIt) {
     EXPECT_EQ(job.error().kind, ErrorKind::TooLarge);
 }
 
+class CountingAssets final : public AssetSource {
+  public:
+    [[nodiscard]] Result<std::shared_ptr<const renderer::TriangleMesh>> mesh(
+        std::string_view name) const override {
+        ++calls;
+        return tests::FakeAssets{}.mesh(name);
+    }
+    mutable int calls = 0;
+};
+
+// However often a document names a file: one mesh, read once.
+TEST(JobDocument, ReadsAFileOnce) {
+    std::string objects;
+    for (int i = 0; i < 50; ++i) {
+        objects += std::string(i == 0 ? "" : ",") + R"({"name":"o)" + std::to_string(i) +
+                   R"(","shape":{"type":"file","path":"triangle.ply"},"material":"m"})";
+    }
+    const CountingAssets assets;
+    const auto job = parse_job(
+        R"({"format":"bouguer-scene/1","camera":{"type":"perspective","from":[0,0,1],"at":[0,0,0]},
+            "materials":{"m":{"type":"hall","k_sr":1}},"objects":[)" +
+            objects + "]}",
+        Limits{}, assets);
+    ASSERT_TRUE(job) << messages(job);
+    EXPECT_EQ(assets.calls, 1);
+    using Mesh = std::shared_ptr<const renderer::TriangleMesh>;
+    EXPECT_EQ(std::get<Mesh>(job->scene.objects[0].placed.shape),
+              std::get<Mesh>(job->scene.objects[49].placed.shape));
+}
+
 // As large as a body may be and wrong all over: the report stays short and counts the rest.
 TEST(JobDocument, ListsTheFirstProblemsOfAHugeDocumentAndCountsTheRest) {
     const Limits limits;

@@ -170,6 +170,18 @@ TEST(Render, GivesUpAUnitWhenAsked) {
     EXPECT_NE(render->trace(*render->next_unit(), &give_up), nullptr);
 }
 
+// A grey scene takes one number a path, whatever stands in materials that no object has.
+TEST(Render, IgnoresColoursThatNoObjectHas) {
+    auto builder = SceneBuilder()
+                       .add(Plane{{0, 0, 0}, {0, 0, 1}}, matt(0.5))
+                       .light(DirectionalLight{{0, 0, -1}, library_spectrum("D65")});
+    const auto before = test::render(builder.build(), small(4, 4), 2)->picture()->xyz;
+    builder.description.materials.push_back({"unused", coloured(matt(0.5), 0.9)});
+    const auto render = test::render(builder.build(), small(4, 4), 2);
+    EXPECT_EQ(render->report().plan.values_per_path, 1U);
+    EXPECT_EQ(render->picture()->xyz, before);
+}
+
 TEST(Render, StopsBySeconds) {
     StopRule stop;
     stop.seconds = 10;

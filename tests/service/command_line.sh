@@ -57,6 +57,18 @@ expect 0 "wrote" "$bouguer" render "$source_dir/client-examples/scenes/grey-card
     --resolution 20x10 --integrator rgb --display lee-9300k --exposure 0.5 --seed 9 --max-depth 2 --threads 1
 [ "$(od -An -tu1 -j16 -N8 "$work/b.png" | tr -s ' ')" = " 0 0 0 20 0 0 0 10" ] || fail "the resolution is not 20 x 10"
 
+# Results go where a link or a device leads; neither is replaced by a file. What cannot be printed is a failure.
+touch "$work/kept"
+ln -s kept "$work/link"
+expect 0 "wrote" "$bouguer" render "$work/job.json" -o "$work/b.png" --report "$work/link"
+[ -L "$work/link" ] || fail "the link was replaced"
+grep -q '"error"' "$work/kept" || fail "the report is not behind the link"
+if [ -c /dev/full ]; then
+    code=0
+    "$bouguer" plan "$work/job.json" >/dev/full 2>&1 || code=$?
+    [ "$code" -eq 1 ] || fail "exit code $code when the disk is full"
+fi
+
 # SIGINT: at once, with the newest complete pass and exit code 1.
 # (What a script starts in the background ignores SIGINT unless told otherwise.)
 env --default-signal=INT "$bouguer" render "$work/job.json" -o "$work/cut.png" --samples 1000000 >"$work/said" 2>&1 &

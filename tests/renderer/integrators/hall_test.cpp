@@ -103,6 +103,17 @@ TEST(HallAbsorption, BeginsAtACameraInsideTheBody) {
     EXPECT_EQ(seen.counters.unmatched_exits, 0U);
 }
 
+// A plane is a half-space: what is seen through it lies infinitely deep, and nothing of it comes
+// that the body absorbs.
+TEST(HallAbsorption, IsCompleteInAHalfSpace) {
+    const auto through = [](double t) {
+        const auto scene = in_environment().add(Plane{{0, 0, 0}, {0, 0, 1}}, glass(1.3, t)).build();
+        return look(*scene, {0, 0, 5}, {0, 1, 0}).y;
+    };
+    EXPECT_EQ(through(0.99), 0);
+    EXPECT_NEAR(through(1), 1, 1e-6);
+}
+
 // Each face passes k_st F_st = 0.9 * 0.8.
 TEST(HallTransmission, WeighsEachFace) {
     HallMaterial m = clear(1.3);
