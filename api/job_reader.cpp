@@ -7,6 +7,7 @@
 
 #include "api/camera_reader.h"
 #include "api/nearest_name.h"
+#include "renderer/integrators/integrator_registry.h"
 #include "renderer/spectrum/display.h"
 
 namespace bouguer::api {
@@ -40,9 +41,9 @@ void read_integrator(const JsonValue& value, const Limits& limits,
                      renderer::RenderSettings& settings) {
     JsonReader reader(value);
     if (!reader.is_object()) return;
-    const std::string_view type = reader.one_of("type", {"hall", "rgb"}, "hall");
-    settings.integrator =
-        type == "rgb" ? renderer::IntegratorType::Rgb : renderer::IntegratorType::Hall;
+    const auto names = renderer::integrator_names();
+    settings.integrator = renderer::find_integrator(reader.one_of("type", names, names.front()))
+                              .value_or(settings.integrator);
     settings.max_depth = static_cast<int>(
         reader.integer("max_depth", 0, limits.max_depth, settings.max_depth, true));
     settings.min_throughput = reader.number("min_throughput", kUnit, settings.min_throughput);

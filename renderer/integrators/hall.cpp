@@ -403,8 +403,6 @@ class Hall final : public Integrator {
             .run(ray);
     }
 
-    std::string kernel_name() const override { return hall_kernel_name({Transparency, Ambient}); }
-
   private:
     const Scene& scene_;
     const SpectralBasis basis_;

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <string>
 
 #include "renderer/core/vec3.h"
 #include "renderer/samplers/pixel_sampler.h"
@@ -45,7 +44,6 @@ class Integrator {
     /// XYZ of the radiance along `ray`. Pure function of scene, settings, ray and sampler.
     virtual Xyz trace(const Ray& ray, const PixelSampler& sampler, TraceScratch& scratch,
                       TraceCounters& counters) const = 0;
-    [[nodiscard]] virtual std::string kernel_name() const = 0;
 };
 
 }  // namespace bouguer::renderer

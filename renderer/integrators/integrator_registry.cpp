@@ -33,6 +33,12 @@ const IntegratorEntry& integrator_entry(IntegratorType type) {
                          [&](const auto& e) { return e.type == type; });
 }
 
+std::vector<std::string_view> integrator_names() {
+    std::vector<std::string_view> names;
+    for (const IntegratorEntry& entry : kIntegrators) names.push_back(entry.name);
+    return names;
+}
+
 std::optional<IntegratorType> find_integrator(std::string_view name) {
     for (const IntegratorEntry& entry : kIntegrators) {
         if (entry.name == name) return entry.type;

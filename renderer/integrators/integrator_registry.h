@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "renderer/integrators/integrator.h"
 #include "renderer/plan/plan.h"
@@ -21,6 +22,8 @@ struct IntegratorEntry {
 };
 
 [[nodiscard]] const IntegratorEntry& integrator_entry(IntegratorType type);
+/// In the order of the table; the first is the default.
+[[nodiscard]] std::vector<std::string_view> integrator_names();
 /// Empty when there is none of that name.
 [[nodiscard]] std::optional<IntegratorType> find_integrator(std::string_view name);
 

@@ -4,6 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <sstream>
+#include <string>
+#include <vector>
+
+#include "renderer/integrators/integrator_registry.h"
 
 namespace bouguer::server {
 namespace {
@@ -34,8 +38,9 @@ void add_threads(CLI::App& app, int& threads) {
 
 void add_overrides(CLI::App& app, Overrides& o) {
     constexpr const char* kGroup = "In place of what the document says";
+    const auto integrators = renderer::integrator_names();
     app.add_option("--integrator", o.integrator, "hall (spectral) or rgb (three channels)")
-        ->check(CLI::IsMember({"hall", "rgb"}))
+        ->check(CLI::IsMember(std::vector<std::string>(integrators.begin(), integrators.end())))
         ->group(kGroup);
     app.add_option("--resolution", o.resolution, "size of the picture in pixels")
         ->type_name("WIDTHxHEIGHT")

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "renderer/integrators/integrator_registry.h"
 #include "renderer/spectrum/display.h"
 #include "server/cli/command_line.h"
 #include "server/storage/durable_file.h"
@@ -77,8 +78,8 @@ class Applier {
     void apply_settings() {
         renderer::RenderSettings& settings = job_.settings;
         if (o_.integrator) {
-            settings.integrator = *o_.integrator == "rgb" ? renderer::IntegratorType::Rgb
-                                                          : renderer::IntegratorType::Hall;
+            settings.integrator =
+                renderer::find_integrator(*o_.integrator).value_or(settings.integrator);
         }
         if (o_.seed) settings.seed = *o_.seed;
         if (o_.wavelength_step) settings.wavelength_step_nm = *o_.wavelength_step;
