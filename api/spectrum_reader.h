@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spectra of a document: a number, a name, or an object of one of the kinds in the registry of
-// spectrum_reader.cpp.
+// spectrum_kinds.cpp. Indices of refraction have kinds of their own: index_kinds.h.
 //
 //     0.8 | "D65" | { "wavelengths_nm": [...], "values": [...] }
 //     | { "first_nm": 380, "step_nm": 5, "values": [...] } | { "srgb": [r, g, b] }
@@ -18,16 +18,10 @@
 
 #include "api/json_value.h"
 #include "api/limits.h"
-#include "renderer/spectrum/spectrum.h"
+#include "api/read_spectrum.h"
+#include "renderer/spectrum/refractive_index.h"
 
 namespace bouguer::api {
-
-/// A spectrum and the least and largest value that it takes in the rendered range.
-struct ReadSpectrum {
-    renderer::SpectrumPtr spectrum;
-    double low = 0, high = 0;
-    std::size_t parts = 1;  ///< how many spectra are evaluated for one value
-};
 
 /// Reads spectra and resolves names: first those of the scene, in whatever order they refer to each
 /// other, then the built-in library. Not thread-safe.
@@ -40,6 +34,12 @@ class SpectrumReader {
     [[nodiscard]] renderer::SpectrumPtr factor(const JsonValue& value);
     /// What a light emits: every value finite and >= 0. Null after a report.
     [[nodiscard]] renderer::SpectrumPtr emission(const JsonValue& value);
+    /// An index of refraction: a number in [1, 10], a name of the scene or of renderer's
+    /// library_index(), or a spectrum of any kind with values in [1, 10]. Null after a report.
+    [[nodiscard]] renderer::SpectrumPtr index(const JsonValue& value);
+    /// A metal: a name of renderer's library_metal(), or {"n": spectrum, "k": spectrum} with n in
+    /// (0, 100] and k in [0, 100]. Both spectra are there; empty after a report.
+    [[nodiscard]] std::optional<renderer::ComplexIndex> metal(const JsonValue& value);
     /// Reads the definitions that nothing has used, so that their problems are reported too.
     void read_all();
 
@@ -54,10 +54,13 @@ class SpectrumReader {
         std::optional<ReadSpectrum> result;
     };
 
+    [[nodiscard]] std::vector<std::string_view> defined_names() const;
+    [[nodiscard]] bool is_known(std::string_view name) const;
     std::optional<ReadSpectrum> named(const JsonValue& value);
+    std::optional<renderer::ComplexIndex> named_metal(const JsonValue& value);
     std::optional<ReadSpectrum> defined(const JsonValue& reference, Definition& definition);
     std::optional<ReadSpectrum> of_a_kind(const JsonValue& value);
-    renderer::SpectrumPtr within(const JsonValue& value, double high, std::string_view allowed);
+    renderer::SpectrumPtr no_index(const JsonValue& value, const Interval& allowed);
 
     const Limits& limits_;
     std::map<std::string, Definition, std::less<>> definitions_;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// A spectrum as the readers of a document hold it, until it is known what it is used for.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "api/json_value.h"
+#include "renderer/core/result.h"
+#include "renderer/spectrum/spectrum.h"
+
+namespace bouguer::api {
+
+/// A spectrum and the least and largest value that it takes in the rendered range.
+struct ReadSpectrum {
+    renderer::SpectrumPtr spectrum;
+    double low = 0, high = 0;
+    std::size_t parts = 1;  ///< how many spectra are evaluated for one value
+    bool is_index = false;  ///< of refraction, by its kind or its name: it is nothing else
+};
+
+/// `spectrum` with its bounds on the 1 nm grid of the rendered range.
+[[nodiscard]] ReadSpectrum with_bounds(renderer::SpectrumPtr spectrum);
+
+/// What the renderer made of `value`, or its refusal, reported below `value`.
+[[nodiscard]] std::optional<ReadSpectrum> accept(const JsonValue& value,
+                                                 const Result<renderer::SpectrumPtr>& made);
+
+/// Widens the bounds by those samples that fall between the points of the 1 nm grid. As many values
+/// as wavelengths.
+void include_samples(ReadSpectrum& read, const std::vector<double>& wavelengths_nm,
+                     const std::vector<double>& values);
+
+}  // namespace bouguer::api
