@@ -194,7 +194,7 @@ def pretty(value, indent=0, width=110):
     if isinstance(value, dict):
         rows = [f"{json.dumps(k)}: {pretty(v, indent + 2)}" for k, v in value.items()]
         return "{\n" + ",\n".join(inside + row for row in rows) + f"\n{outside}}}"
-    if all(isinstance(row, list) for row in value):
+    if not any(isinstance(row, dict) for row in value):
         per_line = max(1, math.floor((width - indent) / (max(len(json.dumps(row)) for row in value) + 2)))
         rows = [", ".join(json.dumps(row) for row in value[i:i + per_line]) for i in range(0, len(value), per_line)]
     else:

@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The figures and meshes in client-examples/scenes/lee are what the scripts beside them write.
+# The scenes and meshes in the folders of client-examples/scenes are what the scripts beside them write.
 set -euo pipefail
 cd "$(dirname "$0")/../../client-examples/scenes"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-PYTHONDONTWRITEBYTECODE=1 python3 make_meshes.py "$work"
-PYTHONDONTWRITEBYTECODE=1 python3 make_figures.py "$work"
-for made in "$work"/*; do cmp "$made" "lee/$(basename "$made")"; done
+export PYTHONDONTWRITEBYTECODE=1
+mkdir "$work/lee"
+python3 make_meshes.py "$work/lee"
+python3 make_figures.py "$work/lee"
+python3 make_colour_scenes.py "$work/colour"
+cd "$work"
+for made in */*; do cmp "$made" "$OLDPWD/$made"; done

@@ -34,14 +34,20 @@ class FolderAssets final : public api::AssetSource {
     std::filesystem::path root_;
 };
 
-/// A scene or job document as a job; throws with the first problem when it is refused.
-inline api::JobRequest load_job(const std::filesystem::path& path) {
-    auto job = api::parse_job(read_file(path), {}, FolderAssets(path.parent_path()));
+/// The text of a scene or job document as a job, with the files beside `path`; throws with the
+/// first problem when it is refused.
+inline api::JobRequest read_job(const std::string& text, const std::filesystem::path& path) {
+    auto job = api::parse_job(text, {}, FolderAssets(path.parent_path()));
     if (job) return std::move(*job);
     const auto& problems = job.error().problems;
     throw std::runtime_error(
         path.string() + ": " +
         (problems.empty() ? job.error().message : problems[0].pointer + " " + problems[0].detail));
+}
+
+/// The document in a file.
+inline api::JobRequest load_job(const std::filesystem::path& path) {
+    return read_job(read_file(path), path);
 }
 
 }  // namespace bouguer::test
