@@ -41,9 +41,11 @@ void read_weights(JsonReader& reader, const NameIndex& objects,
         return;
     }
     if (weights && !weights->json().is_string()) {
-        weights->report_type("\"hemisphere\", or an object of weights by object name");
-    } else if (weights) {
-        static_cast<void>(weights->one_of({"hemisphere"}));
+        weights->report_type(
+            "\"hemisphere\", \"constant\", or an object of weights by object name");
+    } else if (weights && weights->one_of({"hemisphere", "constant"}) == "constant") {
+        ambient.weights = renderer::ConstantWeights{};
+        return;
     }
     ambient.weights =
         renderer::HemisphereWeights{static_cast<int>(reader.integer("rays", 1, kMostRays, 1))};

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "api/json_value.h"
 #include "api/spectrum_reader.h"
@@ -10,8 +12,15 @@
 
 namespace bouguer::api {
 
-/// The material at `value`; its spectra come from `spectra`. Empty after a report.
-[[nodiscard]] std::optional<renderer::MaterialModel> read_material(const JsonValue& value,
-                                                                   SpectrumReader& spectra);
+/// The material at `value`, without its name; its spectra come from `spectra`. Empty after a
+/// report.
+[[nodiscard]] std::optional<renderer::MaterialDescription> read_material(const JsonValue& value,
+                                                                         SpectrumReader& spectra);
+
+struct MaterialType {
+    std::string_view name, description;
+};
+/// What `type` of a material may be.
+[[nodiscard]] const std::vector<MaterialType>& material_types();
 
 }  // namespace bouguer::api

@@ -53,8 +53,9 @@ std::vector<renderer::MaterialDescription> read_materials(const std::optional<Js
             materials.emplace_back();
             continue;
         }
-        auto model = read_material(value->member(name), spectra);
-        materials.push_back({name, std::move(model).value_or(renderer::MaterialModel{})});
+        auto material = read_material(value->member(name), spectra);
+        materials.push_back(std::move(material).value_or(renderer::MaterialDescription{}));
+        materials.back().name = name;
     }
     return materials;
 }

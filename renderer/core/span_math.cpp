@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "renderer/core/every_cpu.h"
+
 namespace bouguer::renderer {
 
 std::size_t SpectralTable::add(const std::vector<float>& values) {
@@ -15,14 +17,6 @@ std::size_t SpectralTable::add(const std::vector<float>& values) {
 }
 
 namespace {
-
-// A function with this attribute exists once for every instruction set named, and the loader picks.
-// ThreadSanitizer cannot start a program that does so: its runtime is not up when the loader asks.
-#if defined(__SANITIZE_THREAD__)
-#define BOUGUER_FOR_EVERY_CPU
-#else
-#define BOUGUER_FOR_EVERY_CPU [[gnu::target_clones("avx512f", "avx2", "default")]]
-#endif
 
 /// e^x lane by lane for x <= 0. [Cody and Waite 1980, ch. 6: reduction by ln 2 in two parts; the
 /// polynomial is a Taylor series to the seventh power on |r| <= ln(2)/2]

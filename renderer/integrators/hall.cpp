@@ -9,20 +9,27 @@
 #include "renderer/media/medium_stack.h"
 #include "renderer/media/refraction.h"
 #include "renderer/samplers/warp.h"
+#include "renderer/samplers/wavelength_sampler.h"
 
 namespace bouguer::renderer {
 namespace {
 
-/// Kinds of random numbers at one node of the tree of rays.
-enum Dimension : std::uint64_t { kDimensionEnvironment = 1, kDimensionAmbient = 2 };
+/// Kinds of random numbers: at one node of the tree of rays, or of a whole sample.
+enum Dimension : std::uint64_t {
+    kDimensionEnvironment = 1,
+    kDimensionAmbient = 2,
+    kDimensionWavelength = 3
+};
 
 class HallScratch final : public TraceScratch {
   public:
-    HallScratch(std::size_t blocks, int max_depth)
-        : radiance(blocks),
-          light(blocks),
-          blocks_(blocks),
-          throughput_(blocks * static_cast<std::size_t>(max_depth + 2)),
+    HallScratch(const SpectralTable& table, int max_depth)
+        : radiance(table.blocks()),
+          light(table.blocks()),
+          colours(table),
+          colours_in_shadow(table),
+          blocks_(table.blocks()),
+          throughput_(blocks_ * static_cast<std::size_t>(max_depth + 2)),
           peaks_(static_cast<std::size_t>(max_depth + 2)) {}
 
     /// The weight with which a ray of `depth` reaches the camera.
@@ -33,8 +40,9 @@ class HallScratch final : public TraceScratch {
     /// The largest of its numbers, before absorption on the ray's own way.
     float& peak(int depth) { return peaks_[static_cast<std::size_t>(depth)]; }
 
-    Float8Vector radiance;  ///< of the sample, so far
-    Float8Vector light;     ///< tint of a shadow ray, or the ambient illuminant
+    Float8Vector radiance;                      ///< of the sample, so far
+    Float8Vector light;                         ///< tint of a shadow ray, or the ambient illuminant
+    SurfaceColours colours, colours_in_shadow;  ///< where a ray is; where its shadow rays are
 
   private:
     std::size_t blocks_;
@@ -42,14 +50,29 @@ class HallScratch final : public TraceScratch {
     std::vector<float> peaks_;
 };
 
+/// A ray's place in the tree of rays.
+struct Path {
+    int depth = 0;
+    std::uint64_t node = 1;       ///< names the place
+    MediumStack media;            ///< the bodies around the ray
+    bool one_wavelength = false;  ///< the others ended where an index parted them
+
+    /// `number` tells the rays apart that leave one point.
+    [[nodiscard]] Path next(const MediumStack& beyond, std::uint64_t number, bool parted) const {
+        return {depth + 1, mix(node + number), beyond, one_wavelength || parted};
+    }
+};
+
 /// A hit seen from the side that the ray comes from.
 struct SurfacePoint {
     Hit hit;
-    const HallSurface* surface;
+    const Surface* surface;
     std::uint64_t body;
     bool entering;  ///< the ray comes from outside the body
     bool is_sheet;
     Vec3 n, ng;  ///< shading and geometric normal, turned to the viewer
+    Vec3 wo;     ///< to the viewer
+    Vec2 uv;     ///< only where the surface has a texture
 };
 
 /// A length that stands for infinity where 0 * infinity must not arise: through it nothing comes
@@ -65,11 +88,12 @@ template <bool Transparency, bool Ambient>
 class HallWalk {
   public:
     HallWalk(const Scene& scene, const HallTables& tables, const SpectralBasis& basis,
-             const RenderSettings& settings, const PixelSampler& sampler, HallScratch& scratch,
-             TraceCounters& counters)
+             const WavelengthSampler& wavelengths, const RenderSettings& settings,
+             const PixelSampler& sampler, HallScratch& scratch, TraceCounters& counters)
         : scene_(scene),
           tables_(tables),
           basis_(basis),
+          wavelengths_(wavelengths),
           settings_(settings),
           sampler_(sampler),
           scratch_(scratch),
@@ -80,14 +104,13 @@ class HallWalk {
         std::fill(scratch_.radiance.begin(), scratch_.radiance.end(), splat(0));
         std::fill_n(scratch_.throughput(0), blocks_, splat(1));
         scratch_.peak(0) = 1;
-        follow(camera_ray, 0, MediumStack{}, 1);
+        follow(camera_ray, Path{});
         return basis_.to_xyz(reinterpret_cast<const float*>(scratch_.radiance.data()));
     }
 
   private:
-    /// Adds what arrives along `ray`, weighted by throughput(depth), to the sample. `node` names
-    /// the place in the tree.
-    void follow(const Ray& ray, int depth, MediumStack media, std::uint64_t node) {
+    /// Adds what arrives along `ray`, weighted by throughput(path.depth), to the sample.
+    void follow(const Ray& ray, Path path) {
         if (scratch_.has_given_up()) return;
         ++nodes_;
         ++counters_.rays;
@@ -96,21 +119,23 @@ class HallWalk {
             if constexpr (Transparency) {
                 // Inside a body without end, or one that the ray slipped out of: nothing comes that
                 // the body absorbs.
-                if (media.innermost() != MediumStack::kOutside) ++counters_.unmatched_exits;
-                absorb(media, kEndless, scratch_.throughput(depth));
+                if (path.media.innermost() != MediumStack::kOutside) ++counters_.unmatched_exits;
+                absorb(path.media, kEndless, scratch_.throughput(path.depth));
             }
-            if (tables_.environment) add(depth, 1, tables_.row(*tables_.environment));
+            if (tables_.environment) add(path, 1, tables_.row(*tables_.environment));
             return;
         }
         const SurfacePoint at = describe(ray, *hit);
         if constexpr (Transparency) {
-            if (began_inside(at, media) && depth > 0) ++counters_.unmatched_exits;
-            absorb(media, hit->t, scratch_.throughput(depth));
+            if (began_inside(at, path.media) && path.depth > 0) ++counters_.unmatched_exits;
+            absorb(path.media, hit->t, scratch_.throughput(path.depth));
         }
-        add_lamps(at, depth, media);
-        if (tables_.environment && !at.surface->mirror) add_environment(at, depth, media, node);
-        if constexpr (Ambient) add_ambient(at, depth, node);
-        spawn(ray, at, depth, media, node);
+        if (at.surface->emission)
+            add(path, 1, colours_at(at).row(*at.surface->emission, SurfaceColours::kFirst));
+        add_lamps(at, path);
+        if (tables_.environment) add_environment(at, path);
+        if constexpr (Ambient) add_ambient(at, path);
+        spawn(ray, at, path);
     }
 
     [[nodiscard]] SurfacePoint describe(const Ray& ray, const Hit& hit) const {
@@ -120,12 +145,20 @@ class HallWalk {
                         dot(ray.d, hit.ng) < 0,
                         tables_.object_is_sheet[hit.object],
                         hit.ns,
-                        hit.ng};
+                        hit.ng,
+                        -ray.d,
+                        {}};
         if (!at.entering) {
             at.n = -at.n;
             at.ng = -at.ng;
         }
+        if (at.surface->has_texture) at.uv = scene_.geometry().surface_uv(hit);
         return at;
+    }
+
+    SurfaceColours& colours_at(const SurfacePoint& at) {
+        scratch_.colours.move_to(at.uv);
+        return scratch_.colours;
     }
 
     /// Whether the ray comes out of a body that it never entered. Then it was inside from its
@@ -138,25 +171,30 @@ class HallWalk {
         return inside;
     }
 
+    /// The surface of the body that `media` is inside of; null outside of all.
+    [[nodiscard]] const Surface* inside_of(const MediumStack& media) const {
+        if (media.innermost() == MediumStack::kOutside) return nullptr;
+        return &tables_.surface_of(static_cast<std::uint32_t>(media.innermost() >> 32U));
+    }
+
     /// Equation 1 over a segment of length b inside the innermost body.
     void absorb(const MediumStack& media, Real b, Float8* weight) const {
-        if (media.innermost() == MediumStack::kOutside) return;
-        const HallSurface& inside =
-            tables_.surface_of(static_cast<std::uint32_t>(media.innermost() >> 32U));
-        if (!inside.absorbs) return;
-        attenuate(weight, tables_.row(inside.log_transmittance), static_cast<float>(b), blocks_);
+        const Surface* inside = inside_of(media);
+        if (inside == nullptr || !inside->log_transmittance) return;
+        attenuate(weight, tables_.row(*inside->log_transmittance), static_cast<float>(b), blocks_);
     }
 
     // ---- local terms ----
 
-    /// radiance += throughput(depth) * scale * a * b * c
-    void add(int depth, float scale, const Float8* a, const Float8* b = nullptr,
+    /// radiance += throughput * scale * a * b * c
+    void add(const Path& path, float scale, const Float8* a, const Float8* b = nullptr,
              const Float8* c = nullptr) {
-        accumulate(scratch_.radiance.data(), scratch_.throughput(depth), scale, a, b, c, blocks_);
+        accumulate(scratch_.radiance.data(), scratch_.throughput(path.depth), scale, a, b, c,
+                   blocks_);
     }
 
     /// First terms of equations 3 and 4: every lamp by itself.
-    void add_lamps(const SurfacePoint& at, int depth, const MediumStack& media) {
+    void add_lamps(const SurfacePoint& at, const Path& path) {
         for (std::size_t l = 0; l < scene_.lights().size() && !scratch_.has_given_up(); ++l) {
             const LightSample light = scene_.lights()[l].sample(at.hit.p);
             const Real cosine = dot(at.n, light.wi);
@@ -164,50 +202,60 @@ class HallWalk {
             // Where interpolated and real normal disagree on the side that the lamp is on, nothing
             // arrives: a ray to it would not go through the surface that the term is about.
             if (behind != (dot(at.ng, light.wi) <= 0)) continue;
-            const float k = behind ? at.surface->k_st : at.surface->k_sr;
-            if (k == 0 || cosine == 0 || light.scale == 0) continue;
-            const auto scale =
-                static_cast<float>(light.scale) * k * lobe(std::abs(cosine), at.surface->n);
-            if (!(scale > 0)) continue;
-            const Float8* emission = tables_.row(tables_.light_emission[l]);
-            const Float8* factor =
-                tables_.row(behind ? at.surface->transmittance : at.surface->reflectance);
-            add_if_visible(at, light.wi, light.distance, behind, depth, media, scale, emission,
-                           factor);
+            if (cosine == 0 || light.scale == 0) continue;
+            const Response response =
+                behind ? transmit(at, light.wi, path)
+                       : at.surface->model->reflect(at.n, at.wo, light.wi, colours_at(at));
+            add_if_visible(at, light.wi, light.distance, behind, path,
+                           static_cast<float>(light.scale), tables_.row(tables_.light_emission[l]),
+                           response);
         }
     }
 
-    /// The environment over the lobe (L.N)^n' by one direction drawn from it: the integral of the
-    /// lobe is 2 pi / (n' + 1).
-    void add_environment(const SurfacePoint& at, int depth, const MediumStack& media,
-                         std::uint64_t node) {
-        if (at.surface->k_sr == 0) return;
-        const Vec2 u = sampler_.get_2d(mix(node) + kDimensionEnvironment);
-        const Vec3 wi = Frame(at.n).to_world(sample_cosine_power(u, at.surface->n));
-        if (dot(at.ng, wi) <= 0) return;
-        const auto scale = static_cast<float>(at.surface->k_sr * 2 * kPi / (at.surface->n + 1));
-        add_if_visible(at, wi, std::numeric_limits<Real>::infinity(), false, depth, media, scale,
-                       tables_.row(*tables_.environment), tables_.row(at.surface->reflectance));
+    [[nodiscard]] Response transmit(const SurfacePoint& at, Vec3 wi, const Path& path) {
+        if (!at.surface->transmits) return {};
+        return at.surface->model->transmit(at.n, at.wo, wi, boundary_of(at, path.media),
+                                           colours_at(at));
     }
 
-    void add_if_visible(const SurfacePoint& at, Vec3 wi, Real distance, bool behind, int depth,
-                        const MediumStack& media, float scale, const Float8* emission,
-                        const Float8* factor) {
+    /// The environment, by one direction that the surface draws.
+    void add_environment(const SurfacePoint& at, const Path& path) {
+        const Vec2 u = sampler_.get_2d(mix(path.node) + kDimensionEnvironment);
+        const auto sample = at.surface->model->sample(at.n, at.wo, u, colours_at(at));
+        if (!sample || dot(at.ng, sample->wi) <= 0) return;
+        add_if_visible(at, sample->wi, std::numeric_limits<Real>::infinity(), false, path, 1,
+                       tables_.row(*tables_.environment), sample->response);
+    }
+
+    void add_if_visible(const SurfacePoint& at, Vec3 wi, Real distance, bool behind,
+                        const Path& path, float scale, const Float8* emission,
+                        const Response& response) {
+        const auto gives = [&](const Term& term) { return scale * term.scale > 0; };
+        if (std::none_of(response.begin(), response.end(), gives)) return;
+        bool tinted = false;
+        if (!arrives(at, wi, distance, behind, path.media, tinted)) return;
+        for (const Term& term : response) {
+            if (!gives(term)) continue;
+            if (tinted) {
+                add(path, scale * term.scale, emission, term.colour, scratch_.light.data());
+            } else {
+                add(path, scale * term.scale, emission, term.colour);
+            }
+        }
+    }
+
+    /// Whether light from wi gets to the point; what bodies on its way leave of it is in
+    /// scratch.light when `tinted`.
+    bool arrives(const SurfacePoint& at, Vec3 wi, Real distance, bool behind,
+                 const MediumStack& media, bool& tinted) {
         const Ray shadow{leave_surface(at.hit, wi), wi};
         if constexpr (!Transparency) {
             ++counters_.rays;
-            if (!scene_.geometry().occluded(shadow, distance)) add(depth, scale, emission, factor);
-        } else {
-            MediumStack on_path = media;
-            if (behind) cross(at, on_path);
-            bool tinted = false;
-            if (!light_passes(shadow, distance, on_path, tinted)) return;
-            if (tinted) {
-                add(depth, scale, emission, factor, scratch_.light.data());
-            } else {
-                add(depth, scale, emission, factor);
-            }
+            return !scene_.geometry().occluded(shadow, distance);
         }
+        MediumStack on_path = media;
+        if (behind) cross(at, on_path);
+        return light_passes(shadow, distance, on_path, tinted);
     }
 
     /// Follows a shadow ray straight through transparent bodies. False: something opaque is in the
@@ -228,7 +276,8 @@ class HallWalk {
             const SurfacePoint at = describe(ray, *hit);
             if (began_inside(at, media)) ++counters_.unmatched_exits;
             absorb(media, hit->t, tint);
-            multiply(tint, at.surface->k_st, tables_.row(at.surface->transmittance), blocks_);
+            const Term through = shares(at, media, scratch_.colours_in_shadow).refracted;
+            multiply(tint, through.scale, through.colour, blocks_);
             cross(at, media);
             ray.o = leave_surface(*hit, ray.d);
             distance -= hit->t;
@@ -243,14 +292,20 @@ class HallWalk {
     }
 
     /// Second terms of equations 3 and 4: equation 2.
-    void add_ambient(const SurfacePoint& at, int depth, std::uint64_t node) {
+    void add_ambient(const SurfacePoint& at, const Path& path) {
         if (!scene_.ambient()) return;
         const AmbientDescription& ambient = *scene_.ambient();
         const Float8* illuminant = ambient_illuminant(at.hit.p);
         const bool comes_out = !at.entering && at.surface->transmits && !at.is_sheet;
+        if (std::holds_alternative<ConstantWeights>(ambient.weights)) {
+            const Term own = at.surface->model->ambient(colours_at(at));
+            const auto scale = static_cast<float>(ambient.k_a) * own.scale;
+            if (!comes_out && scale > 0) add(path, scale, illuminant, own.colour);
+            return;
+        }
         const auto neighbour = [&](std::uint32_t object, Real weight) {
-            const HallSurface& s = tables_.surface_of(object);
-            add(depth, static_cast<float>(ambient.k_a * weight), illuminant,
+            const Surface& s = tables_.surface_of(object);
+            add(path, static_cast<float>(ambient.k_a * weight), illuminant,
                 tables_.row(comes_out ? s.neighbour_transmittance : s.neighbour_reflectance));
         };
         if (const auto* given = std::get_if<ExplicitWeights>(&ambient.weights)) {
@@ -263,11 +318,11 @@ class HallWalk {
         // A point that weighs little in the sample gets few of the rays.
         const int most = std::get<HemisphereWeights>(ambient.weights).rays;
         const int rays =
-            std::clamp(static_cast<int>(std::ceil(most * scratch_.peak(depth))), 1, most);
+            std::clamp(static_cast<int>(std::ceil(most * scratch_.peak(path.depth))), 1, most);
         const Frame frame(comes_out ? -at.n : at.n);
         for (int i = 0; i < rays; ++i) {
             const Vec2 u =
-                sampler_.get_2d(mix(node) + kDimensionAmbient, static_cast<std::uint32_t>(i),
+                sampler_.get_2d(mix(path.node) + kDimensionAmbient, static_cast<std::uint32_t>(i),
                                 static_cast<std::uint32_t>(most));
             const Vec3 d = frame.to_world(sample_cosine_power(u, 1));
             ++counters_.rays;
@@ -289,43 +344,58 @@ class HallWalk {
 
     // ---- recursive terms ----
 
-    void spawn(const Ray& ray, const SurfacePoint& at, int depth, const MediumStack& media,
-               std::uint64_t node) {
-        const HallSurface& s = *at.surface;
-        std::optional<Vec3> refracted;
+    void spawn(const Ray& ray, const SurfacePoint& at, const Path& path) {
+        bool turned_back = false, parted = false;
         if constexpr (Transparency) {
-            if (s.transmits) {
-                MediumStack beyond = media;
+            if (at.surface->transmits) {
+                MediumStack beyond = path.media;
                 cross(at, beyond);
-                refracted = refracted_direction(ray.d, at, media, beyond);
+                parted = !path.one_wavelength && !at.is_sheet &&
+                         (disperses(path.media) || disperses(beyond));
+                const auto refracted = refracted_direction(ray.d, at, path.media, beyond);
                 if (refracted) {
-                    const bool cut =
-                        !weigh(depth, s.k_st, tables_.row(s.transmittance), 0, nullptr);
-                    if (!cut)
-                        follow({leave_surface(at.hit, *refracted), *refracted}, depth + 1, beyond,
-                               mix(node + 1));
+                    follow_share(at, *refracted, path.next(beyond, 1, parted),
+                                 shares(at, path.media).refracted, {}, parted);
                 } else {
                     ++counters_.total_reflections;
+                    turned_back = true;
                 }
             }
         }
-        const bool total_reflection = Transparency && s.transmits && !refracted;
-        if (!s.mirror && !total_reflection) return;
+        if (!at.surface->mirror && !turned_back) return;
         const Vec3 reflected = reflected_direction(ray.d, at);
-        const bool cut = !weigh(depth, s.mirror ? s.k_sr : 0, tables_.row(s.reflectance),
-                                total_reflection ? s.k_st : 0, tables_.row(s.transmittance));
-        if (!cut)
-            follow({leave_surface(at.hit, reflected), reflected}, depth + 1, media, mix(node + 2));
+        // The share that is turned back goes with the mirrored ray, unless it is of one wavelength
+        // and the other is not.
+        if (turned_back && parted) {
+            follow_share(at, reflected, path.next(path.media, 3, true),
+                         shares(at, path.media).refracted, {}, true);
+            turned_back = false;
+            if (!at.surface->mirror) return;
+        }
+        const Shares share = shares(at, path.media);
+        follow_share(at, reflected, path.next(path.media, 2, false),
+                     at.surface->mirror ? share.reflected : Term{},
+                     turned_back ? share.refracted : Term{}, false);
     }
 
-    /// throughput(depth + 1) = throughput(depth) * (ka a + kb b). False: the ray is not worth
-    /// following or may not be; what it carries is booked.
-    bool weigh(int depth, float ka, const Float8* a, float kb, const Float8* b) {
-        Float8* to = scratch_.throughput(depth + 1);
-        const float peak = blend(to, scratch_.throughput(depth), ka, a, kb, b, blocks_);
-        scratch_.peak(depth + 1) = peak;
+    /// Sends a ray on with throughput(before) * (a + b); when `parted`, of one wavelength only.
+    void follow_share(const SurfacePoint& at, Vec3 d, const Path& next, const Term& a,
+                      const Term& b, bool parted) {
+        if (weigh(next.depth, a, b, parted)) follow({leave_surface(at.hit, d), d}, next);
+    }
+
+    /// throughput(depth) = throughput(depth - 1) * (a + b). False: the ray is not worth following
+    /// or may not be; what it carries is booked.
+    bool weigh(int depth, const Term& a, const Term& b, bool parted) {
+        if (a.scale == 0 && b.scale == 0) return false;
+        Float8* to = scratch_.throughput(depth);
+        const Term& first = a.scale == 0 ? b : a;
+        float peak = blend(to, scratch_.throughput(depth - 1), first.scale, first.colour,
+                           a.scale == 0 ? 0 : b.scale, b.colour, blocks_);
+        if (parted) peak = keep_one_wavelength(to);
+        scratch_.peak(depth) = peak;
         if (peak == 0) return false;
-        if (depth >= settings_.max_depth || nodes_ >= kMaxNodesPerSample) {
+        if (depth > settings_.max_depth || nodes_ >= kMaxNodesPerSample) {
             ++counters_.rays_cut_by_depth;
             counters_.depth_throughput += luminous_weight(to);
             return false;
@@ -338,24 +408,71 @@ class HallWalk {
         return true;
     }
 
+    /// Ends all wavelengths but the sample's own, which takes their place on average. Returns what
+    /// it weighs.
+    float keep_one_wavelength(Float8* row) {
+        const WavelengthSample& kept = wavelength();
+        auto* values = reinterpret_cast<float*>(row);
+        const float weight = values[kept.node] * kept.inverse_probability;
+        std::fill_n(row, blocks_, splat(0));
+        values[kept.node] = weight;
+        return weight;
+    }
+
+    /// The same for the whole tree of rays, so that branches which part in different places agree.
+    const WavelengthSample& wavelength() {
+        if (!wavelength_) wavelength_ = wavelengths_.sample(sampler_.get_2d(kDimensionWavelength));
+        return *wavelength_;
+    }
+
     /// Y of a throughput, as if light of constant spectrum and radiance 1 came that way.
     [[nodiscard]] double luminous_weight(const Float8* weight) const {
         return basis_.to_xyz(reinterpret_cast<const float*>(weight)).y;
     }
 
+    // ---- boundaries ----
+
     /// The bodies around a ray once it has gone through the surface.
     void cross(const SurfacePoint& at, MediumStack& media) {
-        if (at.is_sheet) return;
-        if (!at.entering) {
-            media.leave(at.body);
-        } else if (!media.enter(at.body)) {
-            ++counters_.medium_stack_overflows;
-        }
+        if (!step_through(at, media)) ++counters_.medium_stack_overflows;
     }
 
-    [[nodiscard]] Real index_of(const MediumStack& media) const {
-        if (media.innermost() == MediumStack::kOutside) return 1;
-        return tables_.surface_of(static_cast<std::uint32_t>(media.innermost() >> 32U)).ior;
+    /// False: there are more bodies inside each other than the stack can hold.
+    static bool step_through(const SurfacePoint& at, MediumStack& media) {
+        if (at.is_sheet) return true;
+        if (at.entering) return media.enter(at.body);
+        media.leave(at.body);
+        return true;
+    }
+
+    [[nodiscard]] Shares shares(const SurfacePoint& at, const MediumStack& media,
+                                SurfaceColours& colours) const {
+        colours.move_to(at.uv);
+        return at.surface->model->shares(dot(at.n, at.wo), boundary_of(at, media), colours);
+    }
+    [[nodiscard]] Shares shares(const SurfacePoint& at, const MediumStack& media) {
+        return shares(at, media, scratch_.colours);
+    }
+
+    [[nodiscard]] Boundary boundary_of(const SurfacePoint& at, const MediumStack& media) const {
+        if (at.is_sheet) return {};
+        MediumStack beyond = media;
+        static_cast<void>(step_through(at, beyond));
+        const auto index = [](const Surface* inside) { return inside ? inside->ior : 1; };
+        return {index(inside_of(media)), index(inside_of(beyond)), at.entering};
+    }
+
+    [[nodiscard]] bool disperses(const MediumStack& media) const {
+        const Surface* inside = inside_of(media);
+        return inside != nullptr && inside->dispersive_ior != nullptr;
+    }
+
+    /// For the wavelength of the sample where it makes a difference.
+    [[nodiscard]] Real index_of(const MediumStack& media) {
+        const Surface* inside = inside_of(media);
+        if (inside == nullptr) return 1;
+        return inside->dispersive_ior ? inside->dispersive_ior->at(wavelength().lambda_nm)
+                                      : inside->ior;
     }
 
     /// Interpolated normals can send a ray to the wrong side of the real surface; then the
@@ -367,7 +484,7 @@ class HallWalk {
 
     [[nodiscard]] std::optional<Vec3> refracted_direction(Vec3 d, const SurfacePoint& at,
                                                           const MediumStack& before,
-                                                          const MediumStack& beyond) const {
+                                                          const MediumStack& beyond) {
         if (at.is_sheet) return d;
         const Real eta = index_of(before) / index_of(beyond);
         auto t = dot(d, at.n) < 0 ? refract(d, at.n, eta) : std::nullopt;
@@ -378,28 +495,35 @@ class HallWalk {
     const Scene& scene_;
     const HallTables& tables_;
     const SpectralBasis& basis_;
+    const WavelengthSampler& wavelengths_;
     const RenderSettings& settings_;
     const PixelSampler& sampler_;
     HallScratch& scratch_;
     TraceCounters& counters_;
     const std::size_t blocks_;
     int nodes_ = 0;
+    std::optional<WavelengthSample> wavelength_;  ///< drawn when first needed
 };
 
 template <bool Transparency, bool Ambient>
 class Hall final : public Integrator {
   public:
     Hall(const Scene& scene, SpectralBasis basis, const RenderSettings& settings)
-        : scene_(scene), basis_(std::move(basis)), settings_(settings), tables_(scene, basis_) {}
+        : scene_(scene),
+          basis_(std::move(basis)),
+          settings_(settings),
+          tables_(scene, basis_),
+          wavelengths_(basis_) {}
 
     std::unique_ptr<TraceScratch> make_scratch() const override {
-        return std::make_unique<HallScratch>(tables_.spectra.blocks(), settings_.max_depth);
+        return std::make_unique<HallScratch>(tables_.spectra, settings_.max_depth);
     }
 
     Xyz trace(const Ray& ray, const PixelSampler& sampler, TraceScratch& scratch,
               TraceCounters& counters) const override {
-        return HallWalk<Transparency, Ambient>(scene_, tables_, basis_, settings_, sampler,
-                                               static_cast<HallScratch&>(scratch), counters)
+        return HallWalk<Transparency, Ambient>(scene_, tables_, basis_, wavelengths_, settings_,
+                                               sampler, static_cast<HallScratch&>(scratch),
+                                               counters)
             .run(ray);
     }
 
@@ -408,6 +532,7 @@ class Hall final : public Integrator {
     const SpectralBasis basis_;
     const RenderSettings settings_;
     const HallTables tables_;
+    const WavelengthSampler wavelengths_;
 };
 
 template <bool Transparency, bool Ambient>

@@ -12,7 +12,7 @@ HallTables::HallTables(const Scene& scene, const SpectralBasis& basis)
     surfaces.resize(scene.materials().size());
     const std::set<std::uint32_t> used(object_surface.begin(), object_surface.end());
     for (const std::uint32_t m : used) {
-        surfaces[m] = bind_hall(std::get<HallMaterial>(scene.materials()[m].model), basis, spectra);
+        surfaces[m] = bind(scene.materials()[m], basis, spectra);
     }
     for (const Light& light : scene.lights()) {
         light_emission.push_back(spectra.add(basis.emission(*light.spectrum())));

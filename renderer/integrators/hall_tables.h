@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/core/span_math.h"
-#include "renderer/materials/hall_surface.h"
+#include "renderer/materials/surface.h"
 #include "renderer/scene/scene.h"
 #include "renderer/spectrum/spectral_basis.h"
 
@@ -19,14 +19,14 @@ class HallTables {
     HallTables(const Scene& scene, const SpectralBasis& basis);
 
     SpectralTable spectra;
-    std::vector<HallSurface> surfaces;          ///< by material
+    std::vector<Surface> surfaces;              ///< by material
     std::vector<std::uint32_t> object_surface;  ///< by object
     std::vector<bool> object_is_sheet;  ///< disks: no inside, so no refraction and no absorption
     std::vector<std::size_t> light_emission;        ///< by lamp
     std::optional<std::size_t> environment;         ///< radiance of rays that leave
     std::optional<std::size_t> ambient_illuminant;  ///< empty: what arrives from the lamps
 
-    [[nodiscard]] const HallSurface& surface_of(std::uint32_t object) const {
+    [[nodiscard]] const Surface& surface_of(std::uint32_t object) const {
         return surfaces[object_surface[object]];
     }
     [[nodiscard]] const Float8* row(std::size_t i) const { return spectra.row(i); }

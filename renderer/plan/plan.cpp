@@ -8,6 +8,7 @@
 
 #include "renderer/film/film.h"
 #include "renderer/integrators/integrator_registry.h"
+#include "renderer/spectrum/refractive_index.h"
 
 namespace bouguer::renderer {
 namespace {
@@ -16,33 +17,40 @@ namespace {
 /// only.
 constexpr std::size_t kMaxPairs = 20'000;
 
-std::vector<const HallMaterial*> materials_in_use(const Scene& scene) {
+std::vector<const MaterialDescription*> materials_in_use(const Scene& scene) {
     const std::set<std::uint32_t> used(scene.object_materials().begin(),
                                        scene.object_materials().end());
-    std::vector<const HallMaterial*> materials;
-    for (const std::uint32_t m : used)
-        materials.push_back(&std::get<HallMaterial>(scene.materials()[m].model));
+    std::vector<const MaterialDescription*> materials;
+    for (const std::uint32_t m : used) materials.push_back(&scene.materials()[m]);
     return materials;
 }
 
-std::vector<const Spectrum*> emissions(const Scene& scene) {
-    std::vector<const Spectrum*> all;
-    for (const Light& light : scene.lights()) all.push_back(light.spectrum().get());
-    if (scene.environment()) all.push_back(scene.environment()->radiance.get());
-    if (scene.ambient() && scene.ambient()->illuminant)
-        all.push_back(scene.ambient()->illuminant.get());
+/// Everything that gives out light. The spectra live as long as the scene or the answer.
+std::vector<SpectrumPtr> emissions(const Scene& scene) {
+    std::vector<SpectrumPtr> all;
+    for (const Light& light : scene.lights()) all.push_back(light.spectrum());
+    if (scene.environment()) all.push_back(scene.environment()->radiance);
+    if (scene.ambient() && scene.ambient()->illuminant) all.push_back(scene.ambient()->illuminant);
+    for (const MaterialDescription* m : materials_in_use(scene))
+        if (m->emission.spectrum)
+            for (SpectrumPtr& part : m->emission.parts()) all.push_back(std::move(part));
     return all;
 }
 
 /// Whether all emissions have one colour and every material is grey: then one number stands for the
 /// spectrum.
 bool is_grey(const Scene& scene) {
-    for (const HallMaterial* m : materials_in_use(scene)) {
-        if (!m->reflectance->is_constant() || !m->transmittance->is_constant()) return false;
-        if (m->absorption && !m->absorption->transmittance->is_constant()) return false;
+    const auto is_constant = [](const SpectrumPtr& s) { return s->is_constant(); };
+    for (const MaterialDescription* m : materials_in_use(scene)) {
+        const MaterialNeeds needs = needs_of(*m);
+        if (needs.ior && !needs.ior->is_constant()) return false;
+        for (const SurfaceSpectrum& colour : needs.colours) {
+            const auto parts = colour.parts();
+            if (!std::all_of(parts.begin(), parts.end(), is_constant)) return false;
+        }
     }
     const auto all = emissions(scene);
-    return std::all_of(all.begin(), all.end(), [&](const Spectrum* s) {
+    return std::all_of(all.begin(), all.end(), [&](const SpectrumPtr& s) {
         return s->as_multiple().base == all.front()->as_multiple().base;
     });
 }
@@ -82,8 +90,14 @@ std::vector<PlanItem> list(const SceneNeeds& needs, const SpectralBasis& basis) 
              basis.name() == "rgb" ? "the baseline carries three channels"
                                    : "every material is grey and the lamps have one colour: one "
                                      "number stands for the spectrum"),
-        item("textures", false, "", "this version has none"),
-        item("dispersion", false, "", "every index of refraction is one number"),
+        item("textures", needs.textures, "a colour of a material in use varies over its surface",
+             "no colour varies over a surface: no surface coordinates, no look-ups"),
+        item("dispersion", needs.dispersion && basis.has_wavelengths(),
+             "an index of refraction varies: refracted rays go on with one wavelength",
+             needs.dispersion ? "without wavelengths the index at 587.6 nm stands for all"
+                              : "every index of refraction is one number"),
+        item("emission", needs.emission, "a material in use gives out light",
+             "no material in use gives out light"),
     };
 }
 
@@ -91,12 +105,17 @@ std::vector<PlanItem> list(const SceneNeeds& needs, const SpectralBasis& basis) 
 
 SceneNeeds analyse(const Scene& scene) {
     SceneNeeds needs;
-    for (const HallMaterial* m : materials_in_use(scene)) {
-        const bool transmits = m->k_st > 0;
-        needs.transparency |= transmits;
-        needs.refraction |= transmits && m->ior != 1;
-        needs.absorption |= transmits && m->absorption.has_value();
-        needs.mirrors |= m->mirror && m->k_sr > 0;
+    for (const MaterialDescription* m : materials_in_use(scene)) {
+        const MaterialNeeds of = needs_of(*m);
+        const auto is_textured = [](const SurfaceSpectrum& s) { return s.texture != nullptr; };
+        needs.transparency |= of.transmits;
+        needs.refraction |= of.ior && (!of.ior->is_constant() || of.ior->at(kLineD_nm) != 1);
+        needs.dispersion |= of.ior && !of.ior->is_constant();
+        needs.absorption |= of.absorbs;
+        needs.mirrors |= of.mirror;
+        needs.emission |= m->emission.spectrum != nullptr;
+        needs.textures |= is_textured(m->emission) ||
+                          std::any_of(of.colours.begin(), of.colours.end(), is_textured);
     }
     needs.ambient = scene.ambient() && scene.ambient()->k_a > 0;
     needs.hemisphere =
@@ -131,17 +150,20 @@ double quadrature_error(const Scene& scene, double step_nm) {
     using Pair = std::array<std::vector<float>, 2>;  // the same spectrum in both bases
     std::vector<Pair> lamps;
     std::set<const Spectrum*> seen;
-    for (const Spectrum* s : emissions(scene)) {
+    const auto all = emissions(scene);
+    for (const SpectrumPtr& s : all) {
         if (seen.insert(s->as_multiple().base).second)
             lamps.push_back({bases[0].emission(*s), bases[1].emission(*s)});
     }
     std::vector<Pair> surfaces{
         {std::vector<float>(bases[0].size(), 1), std::vector<float>(bases[1].size(), 1)}};
-    for (const HallMaterial* m : materials_in_use(scene)) {
-        for (const Spectrum* s : {m->reflectance.get(), m->transmittance.get(),
-                                  m->absorption ? m->absorption->transmittance.get() : nullptr}) {
-            if (s != nullptr && !s->is_constant() && seen.insert(s).second) {
-                surfaces.push_back({bases[0].factor(*s), bases[1].factor(*s)});
+    std::vector<SpectrumPtr> kept;  // so that no two have one address
+    for (const MaterialDescription* m : materials_in_use(scene)) {
+        for (const SurfaceSpectrum& colour : needs_of(*m).colours) {
+            for (const SpectrumPtr& s : colour.parts()) {
+                kept.push_back(s);
+                if (!s->is_constant() && seen.insert(s.get()).second)
+                    surfaces.push_back({bases[0].factor(*s), bases[1].factor(*s)});
             }
         }
     }

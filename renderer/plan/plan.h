@@ -17,6 +17,9 @@ struct SceneNeeds {
     bool transparency = false;  ///< some material in use transmits
     bool refraction = false;    ///< ... and bends rays (index other than 1)
     bool absorption = false;    ///< ... and absorbs
+    bool dispersion = false;    ///< ... and parts wavelengths
+    bool textures = false;      ///< some colour varies over a surface
+    bool emission = false;      ///< a surface gives out light by itself
     bool ambient = false;       ///< k_a > 0
     bool hemisphere = false;    ///< ambient weights from covered hemisphere: random directions
     bool mirrors = false;       ///< reflected rays are followed

@@ -72,12 +72,16 @@ struct ExplicitWeights {
     std::vector<Real> k;
 };
 
+/// What equation 2 replaces, to compare with: in the place of the neighbours' sum stands the
+/// surface's own matt reflectance (k_sr F_sr; k_d R_d), the same light from everywhere.
+struct ConstantWeights {};
+
 /// Equation 2. With `illuminant` I_a(lambda) = illuminant(lambda) K_a sum_i k_i R_i(lambda)^{n_i};
 /// without, the light that arrives unshadowed from all lamps takes its place, so that a brighter
 /// lamp brightens the whole picture.
 struct AmbientDescription {
     Real k_a = 0;
-    std::variant<HemisphereWeights, ExplicitWeights> weights;
+    std::variant<HemisphereWeights, ExplicitWeights, ConstantWeights> weights;
     SpectrumPtr illuminant;  ///< may be null
 };
 

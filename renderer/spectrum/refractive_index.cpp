@@ -13,7 +13,6 @@ namespace bouguer::renderer {
 namespace {
 
 constexpr std::size_t kMaxTerms = 8;
-constexpr double kLineF_nm = 486.1327, kLineD_nm = 587.5618, kLineC_nm = 656.2725;
 
 double inverse_square_um(double lambda_nm) {
     const double lambda_um = lambda_nm * 1e-3;

@@ -12,6 +12,9 @@
 
 namespace bouguer::renderer {
 
+/// The wavelengths at which glasses are told: of helium's line d and hydrogen's F and C.
+inline constexpr double kLineF_nm = 486.1327, kLineD_nm = 587.5618, kLineC_nm = 656.2725;
+
 /// The least and the greatest index that the makers below accept, over the rendered range.
 inline constexpr double kIndexMin = 1, kIndexMax = 10;
 

@@ -32,6 +32,11 @@ class SpectralBasis {
         return name_;
     }  ///< "wavelengths", "rgb", "grey"
 
+    /// Of the quadrature, one a number; empty for rgb and grey.
+    [[nodiscard]] const std::vector<double>& wavelengths_nm() const { return lambda_nm_; }
+    [[nodiscard]] bool has_wavelengths() const { return !lambda_nm_.empty(); }
+    [[nodiscard]] double step_nm() const { return step_nm_; }  ///< of the quadrature
+
     /// A reflectance, transmittance or other factor in this basis; size() values. In grey() it must
     /// be constant.
     [[nodiscard]] std::vector<float> factor(const Spectrum& s) const;

@@ -46,6 +46,9 @@ struct SurfaceSpectrum {
     SurfaceSpectrum(SpectrumPtr s, TexturePtr t = nullptr)  // NOLINT: a spectrum is one
         : spectrum(std::move(s)), texture(std::move(t)) {}
 
+    /// The spectra that the texture mixes here, times `spectrum`; `spectrum` alone without one.
+    [[nodiscard]] std::vector<SpectrumPtr> parts() const;
+
     SpectrumPtr spectrum;
     TexturePtr texture;
 };

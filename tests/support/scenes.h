@@ -28,7 +28,7 @@ inline HallMaterial clear(double ior) {
     m.reflectance = constant_spectrum(1);
     m.transmittance = constant_spectrum(1);
     m.k_st = 1;
-    m.ior = ior;
+    m.ior = constant_spectrum(ior);
     return m;
 }
 
@@ -41,9 +41,9 @@ class SceneBuilder {
   public:
     SceneBuilder() { description.camera = PerspectiveCamera{{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 40}; }
 
-    SceneBuilder& add(Shape shape, HallMaterial material) {
+    SceneBuilder& add(Shape shape, MaterialModel material) {
         const std::string name = "object " + std::to_string(description.objects.size());
-        description.materials.push_back({name, std::move(material)});
+        description.materials.push_back({name, std::move(material), {}});
         description.objects.push_back(
             {name, {std::move(shape), {Transform{}}}, description.materials.size() - 1});
         return *this;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "api/json_builder.h"
+#include "api/material_reader.h"
 #include "renderer/spectrum/display.h"
 #include "renderer/spectrum/spectra.h"
 #include "server/http/problems.h"
@@ -17,16 +18,6 @@ using api::JsonArray;
 using api::JsonObject;
 
 constexpr double kStep_nm = 5;
-
-struct MaterialEntry {
-    std::string_view type, description;
-};
-constexpr std::array kMaterials{
-    MaterialEntry{"hall",
-                  "The seed paper's improved Hall model: diffuse reflection and transmission with "
-                  "an exponent, mirror reflection and refraction, absorption along the path "
-                  "inside."},
-};
 
 JsonObject described(const renderer::LibraryEntry& entry) {
     JsonObject json;
@@ -45,7 +36,7 @@ std::string spectra_json() {
 
 std::string materials_json() {
     JsonArray materials;
-    for (const auto& [type, description] : kMaterials) {
+    for (const auto& [type, description] : api::material_types()) {
         materials.add_json(JsonObject().set("type", type).set("description", description).text());
     }
     return materials.text();

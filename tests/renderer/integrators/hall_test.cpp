@@ -374,6 +374,31 @@ TEST(HallAmbient, TakesTheLightOfTheLamps) {
 }
 
 // Where light comes out of a clear body, equation 3 sums the neighbours' transmittances: opaque
+// K_a I_a k_sr F_sr = 0.5 * 2 * 0.6 * 0.8, whatever stands around.
+TEST(HallAmbient, IsTheSurfacesOwnColourWhereItIsConstant) {
+    HallMaterial m = matt(0.8);
+    m.k_sr = 0.6;
+    SceneBuilder builder;
+    builder.add(Sphere{{0, 0, 0}, 1}, m).add(Sphere{{5, 0, 0}, 1}, matt(1));
+    builder.description.ambient = AmbientDescription{0.5, ConstantWeights{}, constant_spectrum(2)};
+    EXPECT_NEAR(look(*builder.build(), {0, 0, 5}, {0, 0, 0}).y, 0.48, 1e-6);
+}
+
+// A body that gives out light is seen as bright as it is, through glass of transmittance 0.5 a
+// face by its quarter, and lights no neighbour.
+TEST(HallEmission, IsSeenAndLightsNothing) {
+    SceneBuilder builder;
+    builder.add(Sphere{{0, 0, 0}, 1}, matt(0.5));
+    builder.description.materials.back().emission = constant_spectrum(3);
+    builder.add(Plane{{0, 0, -2}, {0, 0, 1}}, matt(1));
+    EXPECT_NEAR(look(*builder.build(), {0, 0, 9}, {0, 0, 0}).y, 3, 1e-6);
+    EXPECT_EQ(look(*builder.build(), {5, 0, 9}, {5, 0, -2}).y, 0);
+    HallMaterial pane = clear(1);
+    pane.k_st = 0.5;
+    builder.add(Box{{-2, -2, 3}, {2, 2, 4}}, pane);
+    EXPECT_NEAR(look(*builder.build(), {0.1, 0, 9}, {0, 0, 0}).y, 0.75, 1e-6);
+}
+
 // ones give nothing, clear ones F_st^n. The body's front adds the reflectances by equation 4.
 TEST(HallAmbient, SumsTransmittancesWhereLightComesOut) {
     SceneBuilder builder;
