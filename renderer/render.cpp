@@ -8,7 +8,7 @@
 #include "renderer/cameras/camera.h"
 #include "renderer/film/error_estimate.h"
 #include "renderer/film/film.h"
-#include "renderer/film/image_file.h"
+#include "renderer/film/image_library.h"
 #include "renderer/geometry/embree_version.h"
 #include "renderer/integrators/integrator_registry.h"
 #include "renderer/pass_plan.h"

@@ -7,21 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <span>
 
 #include "renderer/film/icc_profile.h"
+#include "renderer/film/image_library.h"
 #include "renderer/spectrum/colour.h"
 #include "renderer/spectrum/display.h"
 
 namespace bouguer::renderer {
 namespace {
-
-/// Every call into OpenImageIO comes after this: it starts no threads of its own, because the
-/// callers are a pool of workers already.
-void set_up_library() {
-    [[maybe_unused]] static const bool done =
-        OIIO::attribute("threads", 1) && OIIO::attribute("exr_threads", -1);
-}
 
 Xyz pixel(const Picture& picture, std::size_t i) {
     const float* p = picture.xyz.data() + 3 * i;
@@ -41,7 +34,7 @@ Result<void> check_size(const Picture& picture) {
 /// `values` as the file that `spec` describes; `format` is "png" or "exr".
 Result<std::string> write(const std::string& format, const OIIO::ImageSpec& spec,
                           const void* values) {
-    set_up_library();
+    set_up_image_library();
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const std::string name = "picture." + format;
@@ -172,44 +165,6 @@ Result<std::string> encode_exr(const Picture& picture, const OutputSettings& out
     spec.attribute("whiteLuminance",
                    static_cast<float>(kMaxLuminousEfficacy_lm_per_W * kYIntegral_nm));
     return write("exr", spec, values.data());
-}
-
-Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_pixels) {
-    set_up_library();
-    constexpr std::string_view kPng = "\x89PNG", kExr = "\x76\x2f\x31\x01";
-    const bool is_png = bytes.starts_with(kPng);
-    if (!is_png && !bytes.starts_with(kExr))
-        return fail(ErrorKind::InvalidInput, "neither a PNG nor an EXR file");
-
-    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
-    const auto in =
-        OIIO::ImageInput::open(is_png ? "picture.png" : "picture.exr", nullptr, &memory);
-    if (!in) {
-        static_cast<void>(OIIO::geterror());  // taken, so that it does not wait for the next caller
-        return fail(ErrorKind::InvalidInput, "the image cannot be read: its header is damaged");
-    }
-    const OIIO::ImageSpec& spec = in->spec();
-    in->threads(1);
-    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 ||
-        spec.image_pixels() > max_pixels)
-        return fail(ErrorKind::InvalidInput, "the image is empty or too large");
-
-    DecodedImage image{spec.width, spec.height, spec.nchannels, {}, {}, {}};
-    image.values.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-    if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()))
-        return fail(ErrorKind::InvalidInput, "the image cannot be read: its pixels are damaged");
-    if (std::array<float, 8> c{};
-        spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), c.data()))
-        image.chromaticities = c;
-    if (float y = 0; spec.getattribute("whiteLuminance", OIIO::TypeDesc::FLOAT, &y))
-        image.white_luminance = y;
-    return image;
-}
-
-std::string image_library_version() {
-    const int v = OIIO::openimageio_version();  // 20407 is 2.4.7
-    return "OpenImageIO " + std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." +
-           std::to_string(v % 100);
 }
 
 }  // namespace bouguer::renderer

