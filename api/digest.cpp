@@ -6,6 +6,11 @@
 #include <array>
 
 namespace bouguer::api {
+namespace {
+
+constexpr std::string_view kPrefix = "sha256-";
+
+}  // namespace
 
 std::string sha256_hex(std::string_view bytes) {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
@@ -19,6 +24,14 @@ std::string sha256_hex(std::string_view bytes) {
         hex += kDigits[digest[i] & 15U];
     }
     return hex;
+}
+
+std::string digest_of(std::string_view bytes) { return std::string(kPrefix) + sha256_hex(bytes); }
+
+bool is_digest(std::string_view text) {
+    constexpr std::size_t kDigits = 64;
+    return text.size() == kPrefix.size() + kDigits && text.starts_with(kPrefix) &&
+           text.find_first_not_of("0123456789abcdef", kPrefix.size()) == std::string_view::npos;
 }
 
 }  // namespace bouguer::api

@@ -14,9 +14,7 @@
 namespace bouguer::api {
 namespace {
 
-std::string digest_of(const Json& document) {
-    return "sha256-" + sha256_hex(canonical_text(document));
-}
+std::string document_digest(const Json& document) { return digest_of(canonical_text(document)); }
 
 /// Whether a document means to be a job: by its format, or by what it has when that is absent.
 bool is_job(const Json& document) {
@@ -30,10 +28,10 @@ bool is_job(const Json& document) {
 /// Names the job; `document` is that of a job and is used up.
 void add_digests(Json document, JobRequest& job) {
     job.canonical = canonical_text(document);
-    job.scene_digest = digest_of(document["scene"]);
+    job.scene_digest = document_digest(document["scene"]);
     document.erase("priority");
     document.erase("labels");
-    job.digest = digest_of(document);
+    job.digest = document_digest(document);
 }
 
 /// Reads a whole job into `job`.
@@ -58,7 +56,7 @@ Result<JobRequest> parse(std::string_view text, const Limits& limits, const Asse
     auto tree = read_json_tree(text, limits);
     if (!tree) return tl::unexpected(std::move(tree).error());
     Problems problems(limits.problems);
-    const DocumentAssets document_assets(assets);
+    DocumentAssets document_assets(assets, limits);
     const ReadContext context{limits, document_assets};
     JobRequest job;
     if (!must_be_scene && is_job(*tree)) {
@@ -74,6 +72,7 @@ Result<JobRequest> parse(std::string_view text, const Limits& limits, const Asse
         return tl::unexpected(std::move(problems).to_error(ErrorKind::InvalidInput));
     }
     add_digests(*std::move(tree), job);
+    job.files_digest = document_assets.digest();
     return job;
 }
 

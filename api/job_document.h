@@ -4,13 +4,11 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 #include <string_view>
 
 #include "api/limits.h"
 #include "renderer/core/result.h"
-#include "renderer/geometry/shape.h"
 #include "renderer/render.h"
 #include "renderer/settings.h"
 
@@ -21,10 +19,9 @@ namespace bouguer::api {
 class AssetSource {
   public:
     virtual ~AssetSource() = default;
-    /// The mesh in the file `name` (relative, no "..", PLY or OBJ). NotFound; InvalidInput when it
-    /// is no mesh.
-    [[nodiscard]] virtual Result<std::shared_ptr<const renderer::TriangleMesh>> mesh(
-        std::string_view name) const = 0;
+    /// The bytes of the file `name`: a path (relative, no "..") or a digest ("sha256-<hex>").
+    /// NotFound; TooLarge.
+    [[nodiscard]] virtual Result<std::string> read(std::string_view name) const = 0;
 };
 
 /// A job, read and checked.
@@ -37,7 +34,9 @@ struct JobRequest {
     std::map<std::string, std::string> labels;
     std::string scene_digest;  ///< "sha256-<hex>" of the scene's canonical form
     std::string digest;        ///< likewise of the whole job without priority and labels
-    std::string canonical;     ///< the whole document, keys sorted, no white space
+    /// Of the contents of the files that the scene names by a path; empty when there are none.
+    std::string files_digest;
+    std::string canonical;  ///< the whole document, keys sorted, no white space
 };
 
 /// Reads a job (`bouguer-job/1`), or a bare scene (`bouguer-scene/1`) as a job with every default.

@@ -21,6 +21,9 @@ struct Limits {
     std::size_t spectrum_samples = 10'000;
     std::size_t spectrum_parts = 64;       ///< factors of a product, with those of its factors
     std::size_t spectrum_references = 32;  ///< spectra that refer to spectra, in a row
+    std::size_t textures = 1'000;
+    std::size_t texture_pixels = 16'777'216;        ///< of one image: 4096 x 4096
+    std::size_t scene_texture_pixels = 33'554'432;  ///< of all image textures of a scene
     std::size_t mesh_vertices = 10'000'000;
     std::size_t mesh_triangles = 20'000'000;
     std::int64_t pixels = 8'388'608;   ///< 4096 x 2048

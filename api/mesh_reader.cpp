@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/asset_reader.h"
 #include "renderer/geometry/mesh_file.h"
 
 namespace bouguer::api {
@@ -17,38 +18,11 @@ using renderer::TriangleMesh;
 using renderer::Vec2;
 using renderer::Vec3;
 
-/// Relative, and nothing in it that leads out of a folder.
-bool is_safe_path(std::string_view path) {
-    if (path.empty() || path.front() == '/') return false;
-    for (const char c : path) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == '\\' || c == 0x7f) return false;
-    }
-    for (std::size_t begin = 0; begin <= path.size();) {
-        const std::size_t end = std::min(path.find('/', begin), path.size());
-        if (path.substr(begin, end - begin) == "..") return false;
-        begin = end + 1;
-    }
-    return true;
-}
-
 /// The mesh; a refusal is reported at `value`.
 std::optional<renderer::Shape> accept(const JsonValue& value,
                                       const Result<std::shared_ptr<const TriangleMesh>>& mesh) {
     if (mesh) return *mesh;
     value.problems().add_below(value.pointer(), mesh.error());
-    return std::nullopt;
-}
-
-/// The file is no good: its own pointers lead nowhere in this document, so all point to `path`.
-std::nullopt_t report_bad_file(const JsonValue& path, const Error& error) {
-    if (error.kind != ErrorKind::InvalidInput) {
-        path.problems().fail_with(error);
-        return std::nullopt;
-    }
-    if (error.problems.empty()) path.report("bad-mesh", error.message, "a PLY or OBJ file");
-    for (const Problem& problem : error.problems) {
-        path.report("bad-mesh", problem.detail, problem.allowed);
-    }
     return std::nullopt;
 }
 
@@ -182,21 +156,12 @@ std::optional<renderer::Shape> read_mesh_shape(JsonReader& reader, const ReadCon
 }
 
 std::optional<renderer::Shape> read_file_shape(JsonReader& reader, const ReadContext& context) {
-    const auto at = reader.require("path");
-    const auto path = at ? at->text(context.limits.name_bytes) : std::nullopt;
-    if (!path) return std::nullopt;
-    if (!is_safe_path(*path)) {
-        at->report("out-of-range", "the path leaves the folder of the assets",
-                   "a relative path without \"..\", \"\\\" and control characters");
-        return std::nullopt;
-    }
-    auto mesh = context.assets.mesh(*path);
-    if (!mesh && mesh.error().kind == ErrorKind::NotFound) {
-        at->report("unknown-name", "there is no such file", "the name of an asset");
-        return std::nullopt;
-    }
-    if (!mesh) return report_bad_file(*at, mesh.error());
-    return accept(*at, mesh);
+    const auto asset = require_asset(reader, context.limits);
+    if (!asset) return std::nullopt;
+    const auto mesh = context.assets.mesh(asset->name);
+    if (mesh) return *mesh;
+    report_asset(*asset, mesh.error(), "bad-mesh", "a PLY or OBJ file");
+    return std::nullopt;
 }
 
 }  // namespace bouguer::api

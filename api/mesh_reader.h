@@ -3,7 +3,7 @@
 //
 //     { "type": "mesh", "positions": [[x, y, z], ...], "triangles": [[i, j, k], ...],
 //       "normals": [[x, y, z], ...], "uvs": [[u, v], ...] }        normals and uvs: optional
-//     { "type": "file", "path": "teapot.ply" }
+//     { "type": "file", "path": "teapot.ply" }        or by its digest: asset_reader.h
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ namespace bouguer::api {
 [[nodiscard]] std::optional<renderer::Shape> read_mesh_shape(JsonReader& reader,
                                                              const ReadContext& context);
 
-/// The mesh in the file that `path` names, from the context's AssetSource. Empty after a report.
+/// The mesh in the PLY or OBJ file that is named. Empty after a report.
 [[nodiscard]] std::optional<renderer::Shape> read_file_shape(JsonReader& reader,
                                                              const ReadContext& context);
 

@@ -2,14 +2,14 @@
 // What the readers of a document share.
 #pragma once
 
-#include "api/job_document.h"
+#include "api/document_assets.h"
 #include "api/limits.h"
 
 namespace bouguer::api {
 
 struct ReadContext {
     const Limits& limits;
-    const AssetSource& assets;
+    DocumentAssets& assets;
 };
 
 }  // namespace bouguer::api

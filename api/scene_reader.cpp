@@ -12,6 +12,7 @@
 #include "api/nearest_name.h"
 #include "api/object_reader.h"
 #include "api/spectrum_reader.h"
+#include "api/texture_reader.h"
 
 namespace bouguer::api {
 namespace {
@@ -100,6 +101,7 @@ renderer::SceneDescription read_scene(const JsonValue& value, const ReadContext&
         scene.resolution = camera.resolution;
     }
     SpectrumReader spectra(reader.find("spectra"), limits);
+    TextureReader textures(reader.find("textures"), spectra, context);
     NameIndex material_names;
     scene.materials = read_materials(reader.find("materials"), spectra, limits, material_names);
     NameIndex object_names;
@@ -113,6 +115,7 @@ renderer::SceneDescription read_scene(const JsonValue& value, const ReadContext&
     if (const auto at = reader.find("ambient")) {
         scene.ambient = read_ambient(*at, object_names, spectra);
     }
+    textures.read_all();
     spectra.read_all();
     reader.reject_unknown_keys();
     return scene;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene document: format, name, units, camera, spectra, materials, objects, lights, environment,
-// ambient.
+// A scene document: format, name, units, camera, spectra, textures, materials, objects, lights,
+// environment, ambient.
 #pragma once
 
 #include "api/json_reader.h"

@@ -2,33 +2,12 @@
 #include "server/jobs/scene_cache.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include "api/digest.h"
 
 namespace bouguer::server {
-namespace {
-
-template <class T>
-std::string_view bytes_of(const std::vector<T>& values) {
-    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
-std::string mesh_digest(const renderer::TriangleMesh& mesh) {
-    return api::sha256_hex(bytes_of(mesh.positions)) + api::sha256_hex(bytes_of(mesh.normals)) +
-           api::sha256_hex(bytes_of(mesh.uvs)) + api::sha256_hex(bytes_of(mesh.triangles));
-}
-
-}  // namespace
-
 std::string scene_key(const api::JobRequest& job) {
-    std::string digests = job.scene_digest;
-    for (const renderer::ObjectDescription& object : job.scene.objects) {
-        const auto* mesh =
-            std::get_if<std::shared_ptr<const renderer::TriangleMesh>>(&object.placed.shape);
-        if (mesh != nullptr && *mesh != nullptr) digests += mesh_digest(**mesh);
-    }
-    return api::sha256_hex(digests);
+    return api::sha256_hex(job.scene_digest + job.files_digest);
 }
 
 std::shared_ptr<SceneCache::Entry> SceneCache::use(const std::string& key, std::uint64_t bytes) {

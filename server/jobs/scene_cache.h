@@ -14,8 +14,8 @@
 
 namespace bouguer::server {
 
-/// What names the content of a job's scene: its digest and that of the meshes that it reads from
-/// files, which may change while the document stays.
+/// What names the content of a job's scene: its digest and that of the files that it names by a
+/// path, which may change while the document stays.
 [[nodiscard]] std::string scene_key(const api::JobRequest& job);
 
 /// Keeps the scenes used last, up to a size. Running jobs hold theirs beside it. Thread-safe.

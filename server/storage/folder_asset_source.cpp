@@ -43,13 +43,10 @@ Result<fs::path> FolderAssetSource::resolve(std::string_view name) const {
     return file;
 }
 
-Result<std::shared_ptr<const renderer::TriangleMesh>> FolderAssetSource::mesh(
-    std::string_view name) const {
+Result<std::string> FolderAssetSource::read(std::string_view name) const {
     auto file = resolve(name);
     if (!file) return tl::unexpected(file.error());
-    auto bytes = read_file(*file, limits_.file_bytes);
-    if (!bytes) return tl::unexpected(bytes.error());
-    return renderer::read_mesh(*bytes, limits_.mesh);
+    return read_file(*file, max_file_bytes_);
 }
 
 }  // namespace bouguer::server

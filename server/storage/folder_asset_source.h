@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "api/job_document.h"
-#include "renderer/geometry/mesh_file.h"
 
 namespace bouguer::server {
 
@@ -14,25 +13,21 @@ namespace bouguer::server {
 /// symbolic links resolved, must still be inside. Immutable, thread-safe.
 class FolderAssetSource final : public api::AssetSource {
   public:
-    struct Limits {
-        std::size_t file_bytes = std::size_t{1} << 30U;
-        renderer::MeshLimits mesh{};
-    };
+    static constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30U;
 
     /// `root` need not exist: then no file is found.
-    explicit FolderAssetSource(std::filesystem::path root) : FolderAssetSource(root, Limits()) {}
-    FolderAssetSource(std::filesystem::path root, const Limits& limits)
-        : root_(std::move(root)), limits_(limits) {}
+    explicit FolderAssetSource(std::filesystem::path root,
+                               std::size_t max_file_bytes = kMaxFileBytes)
+        : root_(std::move(root)), max_file_bytes_(max_file_bytes) {}
 
-    /// NotFound: no such file, or not inside. TooLarge. InvalidInput: a bad name, or no mesh.
-    [[nodiscard]] Result<std::shared_ptr<const renderer::TriangleMesh>> mesh(
-        std::string_view name) const override;
+    /// NotFound: no such file, or not inside. TooLarge. InvalidInput: a bad name.
+    [[nodiscard]] Result<std::string> read(std::string_view name) const override;
 
   private:
     [[nodiscard]] Result<std::filesystem::path> resolve(std::string_view name) const;
 
     std::filesystem::path root_;
-    Limits limits_;
+    std::size_t max_file_bytes_;
 };
 
 }  // namespace bouguer::server

@@ -13,5 +13,15 @@ TEST(Digest, IsSha256InLowerCaseHex) {
     EXPECT_EQ(sha256_hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
+TEST(Digest, IsToldByItsForm) {
+    const std::string digest = digest_of("abc");
+    EXPECT_EQ(digest, "sha256-" + sha256_hex("abc"));
+    EXPECT_TRUE(is_digest(digest));
+    EXPECT_FALSE(is_digest(digest.substr(0, 70)));
+    EXPECT_FALSE(is_digest(digest + "0"));
+    EXPECT_FALSE(is_digest("sha256-" + std::string(64, 'A')));
+    EXPECT_FALSE(is_digest("sha512-" + std::string(64, 'a')));
+}
+
 }  // namespace
 }  // namespace bouguer::api

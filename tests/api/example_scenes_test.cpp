@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "api/job_document.h"
-#include "renderer/geometry/mesh_file.h"
 
 namespace bouguer::api {
 namespace {
@@ -24,10 +23,9 @@ std::string text_of(const fs::path& path) {
 class FolderAssets final : public AssetSource {
   public:
     explicit FolderAssets(fs::path folder) : folder_(std::move(folder)) {}
-    [[nodiscard]] Result<std::shared_ptr<const renderer::TriangleMesh>> mesh(
-        std::string_view name) const override {
+    [[nodiscard]] Result<std::string> read(std::string_view name) const override {
         if (!fs::exists(folder_ / name)) return fail(ErrorKind::NotFound, "no such file");
-        return renderer::read_mesh(text_of(folder_ / name));
+        return text_of(folder_ / name);
     }
 
   private:

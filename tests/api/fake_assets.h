@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
+#include <string>
 #include <string_view>
 
 #include "api/job_document.h"
 
 namespace bouguer::tests {
 
-/// Has one file, "triangle.ply", one that is no mesh, "noise.ply", and one on a broken disk,
-/// "broken.ply".
+/// Has a mesh, "triangle.ply"; pictures, "grey.png" and, with numbers up to 2, "hot.exr"; what is
+/// neither, "noise.ply"; a file on a broken disk, "broken.ply"; and, as the only digest, that of 64
+/// zeros, which is not what its content has.
 class FakeAssets final : public api::AssetSource {
   public:
-    [[nodiscard]] Result<std::shared_ptr<const renderer::TriangleMesh>> mesh(
-        std::string_view name) const override {
-        if (name == "noise.ply") {
-            return tl::unexpected(
-                Error{ErrorKind::InvalidInput,
-                      "not a mesh",
-                      {{"/line/3", "not-a-number", "line 3 is no vertex", {}, {}}},
-                      {}});
+    [[nodiscard]] Result<std::string> read(std::string_view name) const override {
+        const std::string zeros = "sha256-" + std::string(64, '0');
+        if (name == "triangle.ply" || name == zeros) {
+            return std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         }
+        if (name == "noise.ply") return std::string("v 0 0 0\nv 1 0 0\nv zero\n");
+        if (name == "grey.png") return renderer::encode_png(picture(1, 0.5F), {});
+        if (name == "hot.exr") return renderer::encode_exr(picture(1, 2), {});
         if (name == "broken.ply") return fail(ErrorKind::Internal, "the disk does not answer");
-        if (name != "triangle.ply") return fail(ErrorKind::NotFound, "no such file");
-        auto mesh = std::make_shared<renderer::TriangleMesh>();
-        mesh->positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-        mesh->triangles = {{0, 1, 2}};
-        return mesh;
+        return fail(ErrorKind::NotFound, "no such file");
+    }
+
+  private:
+    static renderer::Picture picture(float left, float right) {
+        return {
+            2, 1, {0.9505F * left, left, 1.0891F * left, 0.9505F * right, right, 1.0891F * right}};
     }
 };
 

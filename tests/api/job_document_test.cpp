@@ -153,7 +153,7 @@ TEST(JobDocument, ReadsMeshFilesThroughItsAssets) {
     ASSERT_FALSE(noise);
     EXPECT_EQ(noise.error().problems.at(0).pointer, "/objects/0/shape/path");
     EXPECT_EQ(noise.error().problems.at(0).code, "bad-mesh");
-    EXPECT_EQ(noise.error().problems.at(0).detail, "line 3 is no vertex");
+    EXPECT_EQ(noise.error().problems.at(0).detail, "line 3: not a number: \"zero\"");
     // A broken disk is not the document's fault.
     ASSERT_FALSE(with("broken.ply"));
     EXPECT_EQ(with("broken.ply").error().kind, ErrorKind::Internal);
@@ -222,10 +222,9 @@ TEST(JobDocument, RefusesABodyOverTheLimitBeforeReadingIt) {
 
 class CountingAssets final : public AssetSource {
   public:
-    [[nodiscard]] Result<std::shared_ptr<const renderer::TriangleMesh>> mesh(
-        std::string_view name) const override {
+    [[nodiscard]] Result<std::string> read(std::string_view name) const override {
         ++calls;
-        return tests::FakeAssets{}.mesh(name);
+        return tests::FakeAssets{}.read(name);
     }
     mutable int calls = 0;
 };
@@ -299,6 +298,11 @@ INSTANTIATE_TEST_SUITE_P(
         LimitCase{"materials", [](Limits& l) { l.materials = 2; }, "/scene/materials"},
         LimitCase{"lights", [](Limits& l) { l.lights = 1; }, "/scene/lights"},
         LimitCase{"spectra", [](Limits& l) { l.spectra = 4; }, "/scene/spectra"},
+        LimitCase{"textures", [](Limits& l) { l.textures = 2; }, "/scene/textures"},
+        LimitCase{"texture_pixels", [](Limits& l) { l.texture_pixels = 1; },
+                  "/scene/textures/photo/path"},
+        LimitCase{"scene_texture_pixels", [](Limits& l) { l.scene_texture_pixels = 1; },
+                  "/scene/textures/photo/path"},
         LimitCase{"mesh_vertices", [](Limits& l) { l.mesh_vertices = 3; },
                   "/scene/objects/5/shape/positions"},
         LimitCase{"mesh_triangles", [](Limits& l) { l.mesh_triangles = 1; },

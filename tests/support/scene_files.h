@@ -9,7 +9,6 @@
 #include <string>
 
 #include "api/job_document.h"
-#include "renderer/geometry/mesh_file.h"
 
 namespace bouguer::test {
 
@@ -21,13 +20,12 @@ inline std::string read_file(const std::filesystem::path& path) {
     return text.str();
 }
 
-/// Mesh files of one folder. For tests: names are trusted.
+/// The files of one folder. For tests: names are trusted.
 class FolderAssets final : public api::AssetSource {
   public:
     explicit FolderAssets(std::filesystem::path root) : root_(std::move(root)) {}
-    [[nodiscard]] Result<std::shared_ptr<const renderer::TriangleMesh>> mesh(
-        std::string_view name) const override {
-        return renderer::read_mesh(read_file(root_ / name));
+    [[nodiscard]] Result<std::string> read(std::string_view name) const override {
+        return read_file(root_ / name);
     }
 
   private:

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 class NoAssets final : public api::AssetSource {
   public:
-    Result<std::shared_ptr<const renderer::TriangleMesh>> mesh(std::string_view) const override {
+    Result<std::string> read(std::string_view) const override {
         return fail(ErrorKind::NotFound, "there are no files here");
     }
 };

@@ -19,12 +19,11 @@ class FolderAssetSourceTest : public testing::Test {
         std::filesystem::create_directories(root_ / "parts");
         std::ofstream(root_ / "parts" / "a.obj") << kTriangle;
         std::ofstream(folder_.path() / "secret.obj") << kTriangle;
-        std::ofstream(root_ / "notes.txt") << "no mesh at all";
     }
     ErrorKind refusal(std::string_view name) const {
-        const auto mesh = assets_.mesh(name);
-        EXPECT_FALSE(mesh) << name;
-        return mesh ? ErrorKind::Busy : mesh.error().kind;
+        const auto bytes = assets_.read(name);
+        EXPECT_FALSE(bytes) << name;
+        return bytes ? ErrorKind::Busy : bytes.error().kind;
     }
 
     TemporaryFolder folder_;
@@ -32,11 +31,11 @@ class FolderAssetSourceTest : public testing::Test {
     FolderAssetSource assets_{root_};
 };
 
-TEST_F(FolderAssetSourceTest, ReadsMeshesBelowItsFolder) {
-    const auto mesh = assets_.mesh("parts/a.obj");
-    ASSERT_TRUE(mesh) << mesh.error().message;
-    EXPECT_EQ((*mesh)->triangles.size(), 1U);
-    EXPECT_TRUE(assets_.mesh("./parts/a.obj"));
+TEST_F(FolderAssetSourceTest, ReadsFilesBelowItsFolder) {
+    const auto bytes = assets_.read("parts/a.obj");
+    ASSERT_TRUE(bytes) << bytes.error().message;
+    EXPECT_EQ(*bytes, kTriangle);
+    EXPECT_TRUE(assets_.read("./parts/a.obj"));
 }
 
 TEST_F(FolderAssetSourceTest, RefusesNamesThatLeaveItsFolder) {
@@ -55,13 +54,12 @@ TEST_F(FolderAssetSourceTest, FollowsLinksOnlyInside) {
     std::filesystem::create_symlink("parts/a.obj", root_ / "inside.obj");
     std::filesystem::create_symlink(folder_.path() / "secret.obj", root_ / "outside.obj");
     std::filesystem::create_directory_symlink("/etc", root_ / "etc");
-    EXPECT_TRUE(assets_.mesh("inside.obj"));
+    EXPECT_TRUE(assets_.read("inside.obj"));
     EXPECT_EQ(refusal("outside.obj"), ErrorKind::NotFound);
     EXPECT_EQ(refusal("etc/passwd"), ErrorKind::NotFound);
 }
 
-TEST_F(FolderAssetSourceTest, RefusesWhatIsNoMesh) {
-    EXPECT_EQ(refusal("notes.txt"), ErrorKind::InvalidInput);
+TEST_F(FolderAssetSourceTest, RefusesWhatIsNoFile) {
     EXPECT_EQ(refusal("missing.obj"), ErrorKind::NotFound);
     EXPECT_EQ(refusal("parts"), ErrorKind::NotFound);
     // A pipe that nobody writes to must not be waited for.
@@ -70,13 +68,13 @@ TEST_F(FolderAssetSourceTest, RefusesWhatIsNoMesh) {
 }
 
 TEST_F(FolderAssetSourceTest, RefusesLargeFilesUnread) {
-    const FolderAssetSource strict(root_, {.file_bytes = 10});
-    EXPECT_EQ(strict.mesh("parts/a.obj").error().kind, ErrorKind::TooLarge);
+    const FolderAssetSource strict(root_, 10);
+    EXPECT_EQ(strict.read("parts/a.obj").error().kind, ErrorKind::TooLarge);
 }
 
 TEST(FolderAssetSource, FindsNothingWhenThereIsNoFolder) {
     const FolderAssetSource assets("/nonexistent/folder");
-    EXPECT_EQ(assets.mesh("a.obj").error().kind, ErrorKind::NotFound);
+    EXPECT_EQ(assets.read("a.obj").error().kind, ErrorKind::NotFound);
 }
 
 }  // namespace
