@@ -249,6 +249,37 @@ TEST(JobDocument, ReadsAFileOnce) {
               std::get<Mesh>(job->scene.objects[49].placed.shape));
 }
 
+/// One file, whatever its name.
+class OneFile final : public AssetSource {
+  public:
+    explicit OneFile(std::string bytes) : bytes_(std::move(bytes)) {}
+    [[nodiscard]] Result<std::string> read(std::string_view /*name*/) const override {
+        return bytes_;
+    }
+
+  private:
+    std::string bytes_;
+};
+
+// The document stays and what its path leads to changes; what is named by its digest cannot.
+TEST(JobDocument, KnowsTheContentOfFilesNamedByAPath) {
+    const std::string a = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", b = "v 9 9 0\n" + a;
+    const auto files_digest = [](const std::string& bytes, const std::string& named) {
+        const auto job = parse_job(R"({"format":"bouguer-scene/1",
+            "camera":{"type":"perspective","from":[0,0,9],"at":[0,0,0]},
+            "materials":{"m":{"type":"hall","k_sr":1}},
+            "objects":[{"name":"o","material":"m","shape":{"type":"file",)" +
+                                       named + "}}]}",
+                                   Limits{}, OneFile(bytes));
+        EXPECT_TRUE(job) << messages(job);
+        return job ? job->files_digest : "refused";
+    };
+    const std::string by_path = R"("path":"a.obj")";
+    EXPECT_EQ(files_digest(a, by_path), files_digest(a, by_path));
+    EXPECT_NE(files_digest(a, by_path), files_digest(b, by_path));
+    EXPECT_EQ(files_digest(a, R"("asset":")" + digest_of(a) + "\""), "");
+}
+
 // As large as a body may be and wrong all over: the report stays short and counts the rest.
 TEST(JobDocument, ListsTheFirstProblemsOfAHugeDocumentAndCountsTheRest) {
     const Limits limits;

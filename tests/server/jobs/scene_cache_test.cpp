@@ -59,20 +59,15 @@ TEST_F(SceneCacheTest, ThreadsThatWantTheSameSceneShareOneBuild) {
 }
 
 // The document is the same and the file that it names has changed.
-TEST(SceneKey, KnowsTheContentOfMeshFiles) {
-    const auto job_with = [](double x) {
-        renderer::TriangleMesh mesh;
-        mesh.positions = {{x, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-        mesh.triangles = {{0, 1, 2}};
+TEST(SceneKey, KnowsTheContentOfFiles) {
+    const auto job_with = [](std::string files_digest) {
         api::JobRequest job;
         job.scene_digest = "sha256-aa";
-        job.scene.objects.emplace_back();
-        job.scene.objects[0].placed.shape =
-            std::make_shared<const renderer::TriangleMesh>(std::move(mesh));
+        job.files_digest = std::move(files_digest);
         return job;
     };
-    EXPECT_EQ(scene_key(job_with(0)), scene_key(job_with(0)));
-    EXPECT_NE(scene_key(job_with(0)), scene_key(job_with(0.5)));
+    EXPECT_EQ(scene_key(job_with("sha256-bb")), scene_key(job_with("sha256-bb")));
+    EXPECT_NE(scene_key(job_with("sha256-bb")), scene_key(job_with("sha256-cc")));
 }
 
 }  // namespace
