@@ -8,6 +8,8 @@ paper [Lee et al.] as scenes of ours.
     4(a) by RGB triples (render it with the integrator `rgb`)    4(b) by spectra, no absorption
     4(c) with Bouguer-Beer absorption                            4(d) with the neighbours' ambient light, too
 
+4d-explicit and 4d-constant are 4(d) with the weights of equation 2 given by hand, the same at every point, and with the
+constant ambient term that it replaces.
 4(e) and 4(f) show meshes and primitives together over a mesh background; run make_meshes.py first.
 The numbers of the paper's Table 1 stand in glass() and lamp(). Standard library only.
 """
@@ -27,6 +29,9 @@ TRANSMITTANCES = {
     "aqua": [0.60, 0.74, 0.88, 0.95, 0.93, 0.80, 0.54, 0.32, 0.24, 0.22, 0.24],
     "violet": [0.90, 0.88, 0.78, 0.60, 0.42, 0.36, 0.44, 0.64, 0.82, 0.90, 0.93],
 }
+
+# Equation 2 with k_i by hand: about what each wall and floor covers of the hemisphere in the middle of the room.
+WEIGHTS = {"light tiles": 0.22, "dark tiles": 0.22, "back wall": 0.14, "left wall": 0.13, "right wall": 0.13}
 
 
 def samples(values):
@@ -98,7 +103,7 @@ def turn(angle_deg, axis=(0, 1, 0)):
     return {"rotate": {"axis": list(axis), "angle_deg": angle_deg}}
 
 
-def still_life(name, absorbs, ambient):
+def still_life(name, absorbs, weights=None):
     """Figures 4(a) to 4(d): coloured glass in the corner of a room with two coloured walls."""
     glasses = ["amber", "ruby", "emerald", "cobalt"]
     scene = {
@@ -128,8 +133,8 @@ def still_life(name, absorbs, ambient):
         "lights": [lamp([9, 13.5, 3.5], 1.0), lamp([-7, 12, 11], 0.25)],
         "environment": sky(2),
     }
-    if ambient:
-        scene["ambient"] = {"k_a": 0.08, "weights": "hemisphere"}
+    if weights:
+        scene["ambient"] = {"k_a": 0.08, "weights": weights}
     return scene
 
 
@@ -205,10 +210,12 @@ def pretty(value, indent=0, width=110):
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).parent / "lee"
     figures = {
-        "4a": still_life("Lee et al., figure 4(a): by RGB triples", False, False),
-        "4b": still_life("Lee et al., figure 4(b): by spectra", False, False),
-        "4c": still_life("Lee et al., figure 4(c): with Bouguer-Beer absorption", True, False),
-        "4d": still_life("Lee et al., figure 4(d): with the neighbours' ambient light", True, True),
+        "4a": still_life("Lee et al., figure 4(a): by RGB triples", False),
+        "4b": still_life("Lee et al., figure 4(b): by spectra", False),
+        "4c": still_life("Lee et al., figure 4(c): with Bouguer-Beer absorption", True),
+        "4d": still_life("Lee et al., figure 4(d): with the neighbours' ambient light", True, "hemisphere"),
+        "4d-explicit": still_life("Figure 4(d) with weights by hand", True, WEIGHTS),
+        "4d-constant": still_life("Figure 4(d) with a constant ambient term", True, "constant"),
         "4e": meshes_e(),
         "4f": meshes_f(),
     }

@@ -298,9 +298,11 @@ class HallWalk {
         const Float8* illuminant = ambient_illuminant(at.hit.p);
         const bool comes_out = !at.entering && at.surface->transmits && !at.is_sheet;
         if (std::holds_alternative<ConstantWeights>(ambient.weights)) {
-            const Term own = at.surface->model->ambient(colours_at(at));
-            const auto scale = static_cast<float>(ambient.k_a) * own.scale;
-            if (!comes_out && scale > 0) add(path, scale, illuminant, own.colour);
+            if (comes_out) return;
+            for (const Term& own : at.surface->model->ambient(colours_at(at))) {
+                const float scale = static_cast<float>(ambient.k_a) * own.scale;
+                if (scale > 0) add(path, scale, illuminant, own.colour);
+            }
             return;
         }
         const auto neighbour = [&](std::uint32_t object, Real weight) {

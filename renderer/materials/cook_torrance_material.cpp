@@ -15,6 +15,12 @@ class CookTorranceModel final : public MicrofacetModel {
         : MicrofacetModel(material.k_d, material.k_s, material.mirror, diffuse, tint, index),
           m_(material.m) {}
 
+    /// As the authors have it: the facets' share counts with its colour at normal incidence.
+    [[nodiscard]] Response ambient(SurfaceColours& colours) const override {
+        const Response matt = MicrofacetModel::ambient(colours);
+        return {matt[0], Term{k_s(), colour(1, colours)}};
+    }
+
   protected:
     [[nodiscard]] Real gloss_of(const MicrofacetAngles& a) const override {
         return kPi * beckmann(a.nh) * v_cavity_shadowing(a) / (4 * a.nv);

@@ -26,8 +26,8 @@ std::optional<DirectionSample> GlossyModel::sample(Vec3 n, Vec3 wo, Vec2 u,
         wi, terms(cosine / pdf, share > 0 ? gloss(n, wo, wi) / pdf : 0, wo, wi, colours)};
 }
 
-Term GlossyModel::ambient(SurfaceColours& colours) const {
-    return {k_d_, colours.row(diffuse_, SurfaceColours::kFirst)};
+Response GlossyModel::ambient(SurfaceColours& colours) const {
+    return {Term{k_d_, colours.row(diffuse_, SurfaceColours::kFirst)}};
 }
 
 Response GlossyModel::terms(Real matt, Real gloss, Vec3 wo, Vec3 wi,

@@ -15,7 +15,7 @@ class GlossyModel : public ReflectionModel {
     [[nodiscard]] std::optional<DirectionSample> sample(Vec3 n, Vec3 wo, Vec2 u,
                                                         SurfaceColours& colours) const final;
     /// k_d R_d.
-    [[nodiscard]] Term ambient(SurfaceColours& colours) const final;
+    [[nodiscard]] Response ambient(SurfaceColours& colours) const override;
 
   protected:
     /// `mirror`: a mirrored ray is followed in the place of gathering light over the gloss.

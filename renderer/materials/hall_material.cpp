@@ -45,8 +45,8 @@ class HallModel final : public ReflectionModel {
         return {{k_sr_, f_sr(colours)}, {k_st_, f_st(colours)}};
     }
 
-    [[nodiscard]] Term ambient(SurfaceColours& colours) const override {
-        return {k_sr_, f_sr(colours)};
+    [[nodiscard]] Response ambient(SurfaceColours& colours) const override {
+        return {Term{k_sr_, f_sr(colours)}};
     }
 
   private:

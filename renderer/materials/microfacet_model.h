@@ -41,9 +41,10 @@ class MicrofacetModel : public GlossyModel {
     [[nodiscard]] Real gloss_pdf(Vec3 n, Vec3 wo, Vec3 wi) const final;
     [[nodiscard]] const Float8* gloss_colour(Vec3 wo, Vec3 wi, SurfaceColours& colours) const final;
 
-  private:
+    /// C at an angle, in slot kSecond.
     [[nodiscard]] const Float8* colour(Real cosine, SurfaceColours& colours) const;
 
+  private:
     BoundSpectrum tint_;
     BoundIndex index_;
 };

@@ -72,8 +72,8 @@ class ReflectionModel {
     [[nodiscard]] virtual Shares shares(Real cosine, const Boundary& boundary,
                                         SurfaceColours& colours) const = 0;
 
-    /// The surface's own answer to light from everywhere: for a constant ambient term.
-    [[nodiscard]] virtual Term ambient(SurfaceColours& colours) const = 0;
+    /// The surface's own colour in light from everywhere: for a constant ambient term.
+    [[nodiscard]] virtual Response ambient(SurfaceColours& colours) const = 0;
 };
 
 }  // namespace bouguer::renderer

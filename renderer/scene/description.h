@@ -73,7 +73,7 @@ struct ExplicitWeights {
 };
 
 /// What equation 2 replaces, to compare with: in the place of the neighbours' sum stands the
-/// surface's own matt reflectance (k_sr F_sr; k_d R_d), the same light from everywhere.
+/// surface's own colour (k_sr F_sr; k_d R_d), as if the same light came from everywhere.
 struct ConstantWeights {};
 
 /// Equation 2. With `illuminant` I_a(lambda) = illuminant(lambda) K_a sum_i k_i R_i(lambda)^{n_i};

@@ -9,6 +9,7 @@ export PYTHONDONTWRITEBYTECODE=1
 mkdir "$work/lee"
 python3 make_meshes.py "$work/lee"
 python3 make_figures.py "$work/lee"
+python3 make_models.py "$work/lee"
 python3 make_colour_scenes.py "$work/colour"
 cd "$work"
 for made in */*; do cmp "$made" "$OLDPWD/$made"; done
