@@ -16,15 +16,16 @@ using renderer::SpectrumPtr;
 constexpr Interval kExponent{0, 1e6};
 constexpr Interval kRoughness{1e-4, 1};
 
-/// A spectrum in [0, 1]; 1 when it is not given.
-SpectrumPtr factor_or_one(JsonReader& reader, std::string_view key, SpectrumReader& spectra) {
+/// A spectrum in [0, 1], or a texture of such; 1 when it is not given.
+renderer::SurfaceSpectrum factor_or_one(JsonReader& reader, std::string_view key,
+                                        const ColourReaders& colours) {
     const auto member = reader.find(key);
-    return member ? spectra.factor(*member) : renderer::constant_spectrum(1);
+    return member ? colours.textures.factor(*member) : renderer::constant_spectrum(1);
 }
 
-SpectrumPtr index_or(JsonReader& reader, double fallback, SpectrumReader& spectra) {
+SpectrumPtr index_or(JsonReader& reader, double fallback, const ColourReaders& colours) {
     const auto member = reader.find("ior");
-    return member ? spectra.index(*member) : renderer::constant_spectrum(fallback);
+    return member ? colours.spectra.index(*member) : renderer::constant_spectrum(fallback);
 }
 
 renderer::ComplexIndex dielectric(SpectrumPtr index) {
@@ -40,12 +41,13 @@ void require_one_of(JsonReader& reader, const std::vector<std::string_view>& sha
                           names + (shares.size() == 2 ? " or both" : ", or several"));
 }
 
-std::optional<renderer::Absorption> read_absorption(JsonReader& material, SpectrumReader& spectra) {
+std::optional<renderer::Absorption> read_absorption(JsonReader& material,
+                                                    const ColourReaders& colours) {
     const auto value = material.find("absorption");
     if (!value) return std::nullopt;
     JsonReader reader(*value);
     const auto at = reader.require("transmittance");
-    const SpectrumPtr transmittance = at ? spectra.factor(*at) : nullptr;
+    const SpectrumPtr transmittance = at ? colours.spectra.factor(*at) : nullptr;
     const double thickness = reader.number("thickness", kPositiveLength, 1);
     reader.reject_unknown_keys();
     if (transmittance == nullptr) return std::nullopt;
@@ -55,27 +57,27 @@ std::optional<renderer::Absorption> read_absorption(JsonReader& material, Spectr
 /// hall: reflectance, transmittance (spectra in [0, 1], default 1), k_sr, k_st ([0, 1], default 0,
 /// at least one of them given), n ([0, 1e6], default 1), ior (an index, default 1), absorption
 /// {transmittance, thickness (scene units, default 1)}, mirror (default: whether k_st > 0).
-MaterialModel read_hall(JsonReader& reader, SpectrumReader& spectra) {
+MaterialModel read_hall(JsonReader& reader, const ColourReaders& colours) {
     require_one_of(reader, {"k_sr", "k_st"});
     renderer::HallMaterial hall;
-    hall.reflectance = factor_or_one(reader, "reflectance", spectra);
-    hall.transmittance = factor_or_one(reader, "transmittance", spectra);
+    hall.reflectance = factor_or_one(reader, "reflectance", colours);
+    hall.transmittance = factor_or_one(reader, "transmittance", colours);
     hall.k_sr = reader.number("k_sr", kUnit, 0);
     hall.k_st = reader.number("k_st", kUnit, 0);
     hall.n = reader.number("n", kExponent, 1);
-    hall.ior = index_or(reader, 1, spectra);
-    hall.absorption = read_absorption(reader, spectra);
+    hall.ior = index_or(reader, 1, colours);
+    hall.absorption = read_absorption(reader, colours);
     hall.mirror = reader.boolean("mirror", hall.k_st > 0);
     return hall;
 }
 
 /// phong: diffuse, specular (spectra in [0, 1], default 1), k_d, k_s ([0, 1], default 0, at least
 /// one of them given), n ([0, 1e6], default 20), mirror (default false).
-MaterialModel read_phong(JsonReader& reader, SpectrumReader& spectra) {
+MaterialModel read_phong(JsonReader& reader, const ColourReaders& colours) {
     require_one_of(reader, {"k_d", "k_s"});
     renderer::PhongMaterial phong;
-    phong.diffuse = factor_or_one(reader, "diffuse", spectra);
-    phong.specular = factor_or_one(reader, "specular", spectra);
+    phong.diffuse = factor_or_one(reader, "diffuse", colours);
+    phong.specular = factor_or_one(reader, "specular", colours);
     phong.k_d = reader.number("k_d", kUnit, phong.k_d);
     phong.k_s = reader.number("k_s", kUnit, phong.k_s);
     phong.n = reader.number("n", kExponent, phong.n);
@@ -85,44 +87,44 @@ MaterialModel read_phong(JsonReader& reader, SpectrumReader& spectra) {
 
 /// blinn: diffuse, specular, k_d, k_s as in phong; c3 ([1e-4, 1], default 0.35), ior (an index,
 /// default 1.5), mirror (default false).
-MaterialModel read_blinn(JsonReader& reader, SpectrumReader& spectra) {
+MaterialModel read_blinn(JsonReader& reader, const ColourReaders& colours) {
     require_one_of(reader, {"k_d", "k_s"});
     renderer::BlinnMaterial blinn;
-    blinn.diffuse = factor_or_one(reader, "diffuse", spectra);
-    blinn.specular = factor_or_one(reader, "specular", spectra);
+    blinn.diffuse = factor_or_one(reader, "diffuse", colours);
+    blinn.specular = factor_or_one(reader, "specular", colours);
     blinn.k_d = reader.number("k_d", kUnit, blinn.k_d);
     blinn.k_s = reader.number("k_s", kUnit, blinn.k_s);
     blinn.c3 = reader.number("c3", kRoughness, blinn.c3);
-    blinn.index = dielectric(index_or(reader, 1.5, spectra));
+    blinn.index = dielectric(index_or(reader, 1.5, colours));
     blinn.mirror = reader.boolean("mirror", blinn.mirror);
     return blinn;
 }
 
 /// One of "metal" and "ior"; what is left of the two is reported.
-renderer::ComplexIndex metal_or_index(JsonReader& reader, SpectrumReader& spectra) {
+renderer::ComplexIndex metal_or_index(JsonReader& reader, const ColourReaders& colours) {
     const auto metal = reader.find("metal");
     const auto ior = reader.find("ior");
     if (metal && ior)
         metal->report("exclusive", "a surface is of a metal or of a dielectric",
                       "\"metal\" or \"ior\", not both");
-    if (metal) return spectra.metal(*metal).value_or(renderer::ComplexIndex{});
-    return dielectric(index_or(reader, 1.5, spectra));
+    if (metal) return colours.spectra.metal(*metal).value_or(renderer::ComplexIndex{});
+    return dielectric(index_or(reader, 1.5, colours));
 }
 
 /// cook_torrance: diffuse, specular (spectra in [0, 1], default 1), k_d (default 0), k_s (default
 /// 1; together at most 1), m ([1e-4, 1], default 0.3), metal (a name, or {n, k}) or ior (an index,
 /// default 1.5), mirror (default false).
-MaterialModel read_cook_torrance(JsonReader& reader, SpectrumReader& spectra) {
+MaterialModel read_cook_torrance(JsonReader& reader, const ColourReaders& colours) {
     renderer::CookTorranceMaterial surface;
-    surface.diffuse = factor_or_one(reader, "diffuse", spectra);
-    surface.specular = factor_or_one(reader, "specular", spectra);
+    surface.diffuse = factor_or_one(reader, "diffuse", colours);
+    surface.specular = factor_or_one(reader, "specular", colours);
     surface.k_d = reader.number("k_d", kUnit, surface.k_d);
     surface.k_s = reader.number("k_s", kUnit, 1 - surface.k_d);
     if (surface.k_d + surface.k_s > 1 + 1e-12)
         reader.find("k_s")->report("out-of-range", "the shares are more than the whole",
                                    "k_d + k_s at most 1");
     surface.m = reader.number("m", kRoughness, surface.m);
-    surface.index = metal_or_index(reader, spectra);
+    surface.index = metal_or_index(reader, colours);
     surface.mirror = reader.boolean("mirror", surface.mirror);
     return surface;
 }
@@ -131,28 +133,28 @@ MaterialModel read_cook_torrance(JsonReader& reader, SpectrumReader& spectra) {
 /// k_st ([0, 1], default 0, at least one of them given), n, n_t ([0, 1e6], default 20), ior (an
 /// index, default 1.5) or, where k_st is 0, metal, absorption as in hall, mirror (default: whether
 /// k_sr > 0).
-MaterialModel read_hall_greenberg(JsonReader& reader, SpectrumReader& spectra) {
+MaterialModel read_hall_greenberg(JsonReader& reader, const ColourReaders& colours) {
     require_one_of(reader, {"k_dr", "k_sr", "k_st"});
     renderer::HallGreenbergMaterial surface;
-    surface.diffuse = factor_or_one(reader, "diffuse", spectra);
-    surface.specular = factor_or_one(reader, "specular", spectra);
-    surface.transmittance = factor_or_one(reader, "transmittance", spectra);
+    surface.diffuse = factor_or_one(reader, "diffuse", colours);
+    surface.specular = factor_or_one(reader, "specular", colours);
+    surface.transmittance = factor_or_one(reader, "transmittance", colours);
     surface.k_dr = reader.number("k_dr", kUnit, 0);
     surface.k_sr = reader.number("k_sr", kUnit, 0);
     surface.k_st = reader.number("k_st", kUnit, 0);
     surface.n = reader.number("n", kExponent, surface.n);
     surface.n_t = reader.number("n_t", kExponent, surface.n_t);
-    surface.index = metal_or_index(reader, spectra);
+    surface.index = metal_or_index(reader, colours);
     if (const auto metal = reader.find("metal"); metal && surface.k_st > 0)
         metal->report("exclusive", "no light goes through a metal", "k_st = 0, or \"ior\"");
-    surface.absorption = read_absorption(reader, spectra);
+    surface.absorption = read_absorption(reader, colours);
     surface.mirror = reader.boolean("mirror", surface.k_sr > 0);
     return surface;
 }
 
 struct MaterialEntry {
     std::string_view name, description;
-    MaterialModel (*read)(JsonReader&, SpectrumReader&);
+    MaterialModel (*read)(JsonReader&, const ColourReaders&);
 };
 
 /// To add a material, write its function and its line here.
@@ -191,12 +193,12 @@ const std::vector<MaterialType>& material_types() {
 }
 
 std::optional<renderer::MaterialDescription> read_material(const JsonValue& value,
-                                                           SpectrumReader& spectra) {
+                                                           const ColourReaders& colours) {
     JsonReader reader(value);
     const MaterialEntry* entry = find_type(reader, kMaterials);
     if (entry == nullptr) return std::nullopt;
-    renderer::MaterialDescription material{{}, entry->read(reader, spectra)};
-    if (const auto at = reader.find("emission")) material.emission = spectra.emission(*at);
+    renderer::MaterialDescription material{{}, entry->read(reader, colours)};
+    if (const auto at = reader.find("emission")) material.emission = colours.textures.emission(*at);
     reader.reject_unknown_keys();
     return material;
 }

@@ -8,14 +8,20 @@
 
 #include "api/json_value.h"
 #include "api/spectrum_reader.h"
+#include "api/texture_reader.h"
 #include "renderer/scene/description.h"
 
 namespace bouguer::api {
 
-/// The material at `value`, without its name; its spectra come from `spectra`. Empty after a
-/// report.
-[[nodiscard]] std::optional<renderer::MaterialDescription> read_material(const JsonValue& value,
-                                                                         SpectrumReader& spectra);
+/// Where the colours of materials come from.
+struct ColourReaders {
+    SpectrumReader& spectra;
+    TextureReader& textures;
+};
+
+/// The material at `value`, without its name. Empty after a report.
+[[nodiscard]] std::optional<renderer::MaterialDescription> read_material(
+    const JsonValue& value, const ColourReaders& colours);
 
 struct MaterialType {
     std::string_view name, description;

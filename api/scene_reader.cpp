@@ -36,7 +36,7 @@ renderer::Real read_units(JsonReader& reader) {
 
 /// Every name is known afterwards, also of materials that have problems.
 std::vector<renderer::MaterialDescription> read_materials(const std::optional<JsonValue>& value,
-                                                          SpectrumReader& spectra,
+                                                          const ColourReaders& colours,
                                                           const Limits& limits, NameIndex& names) {
     std::vector<renderer::MaterialDescription> materials;
     if (!value) return materials;
@@ -54,7 +54,7 @@ std::vector<renderer::MaterialDescription> read_materials(const std::optional<Js
             materials.emplace_back();
             continue;
         }
-        auto material = read_material(value->member(name), spectra);
+        auto material = read_material(value->member(name), colours);
         materials.push_back(std::move(material).value_or(renderer::MaterialDescription{}));
         materials.back().name = name;
     }
@@ -103,7 +103,8 @@ renderer::SceneDescription read_scene(const JsonValue& value, const ReadContext&
     SpectrumReader spectra(reader.find("spectra"), limits);
     TextureReader textures(reader.find("textures"), spectra, context);
     NameIndex material_names;
-    scene.materials = read_materials(reader.find("materials"), spectra, limits, material_names);
+    scene.materials =
+        read_materials(reader.find("materials"), {spectra, textures}, limits, material_names);
     NameIndex object_names;
     if (const auto at = reader.require("objects")) {
         scene.objects = read_objects(*at, material_names, context, object_names);

@@ -43,7 +43,7 @@ def vase(model):
         ],
         "lights": [lamp([-9, 12, 9], 1.0), lamp([10, 9, 4], 0.5)],
         "environment": sky(6),
-        "ambient": {"k_a": 0.25, "weights": "hemisphere" if is_improved else "constant"},
+        "ambient": {"k_a": 0.15, "weights": "hemisphere" if is_improved else "constant"},
     }
 
 
