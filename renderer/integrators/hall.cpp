@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include "renderer/core/hash.h"
+#include "renderer/integrators/hall_boundary.h"
+#include "renderer/integrators/hall_path.h"
 #include "renderer/integrators/hall_tables.h"
-#include "renderer/media/medium_stack.h"
-#include "renderer/media/refraction.h"
 #include "renderer/samplers/warp.h"
 #include "renderer/samplers/wavelength_sampler.h"
 
@@ -21,67 +20,9 @@ enum Dimension : std::uint64_t {
     kDimensionWavelength = 3
 };
 
-class HallScratch final : public TraceScratch {
-  public:
-    HallScratch(const SpectralTable& table, int max_depth)
-        : radiance(table.blocks()),
-          light(table.blocks()),
-          colours(table),
-          colours_in_shadow(table),
-          blocks_(table.blocks()),
-          throughput_(blocks_ * static_cast<std::size_t>(max_depth + 2)),
-          peaks_(static_cast<std::size_t>(max_depth + 2)) {}
-
-    /// The weight with which a ray of `depth` reaches the camera.
-    Float8* throughput(int depth) {
-        return throughput_.data() + blocks_ * static_cast<std::size_t>(depth);
-    }
-
-    /// The largest of its numbers, before absorption on the ray's own way.
-    float& peak(int depth) { return peaks_[static_cast<std::size_t>(depth)]; }
-
-    Float8Vector radiance;                      ///< of the sample, so far
-    Float8Vector light;                         ///< tint of a shadow ray, or the ambient illuminant
-    SurfaceColours colours, colours_in_shadow;  ///< where a ray is; where its shadow rays are
-
-  private:
-    std::size_t blocks_;
-    Float8Vector throughput_;
-    std::vector<float> peaks_;
-};
-
-/// A ray's place in the tree of rays.
-struct Path {
-    int depth = 0;
-    std::uint64_t node = 1;       ///< names the place
-    MediumStack media;            ///< the bodies around the ray
-    bool one_wavelength = false;  ///< the others ended where an index parted them
-
-    /// `number` tells the rays apart that leave one point.
-    [[nodiscard]] Path next(const MediumStack& beyond, std::uint64_t number, bool parted) const {
-        return {depth + 1, mix(node + number), beyond, one_wavelength || parted};
-    }
-};
-
-/// A hit seen from the side that the ray comes from.
-struct SurfacePoint {
-    Hit hit;
-    const Surface* surface;
-    std::uint64_t body;
-    bool entering;  ///< the ray comes from outside the body
-    bool is_sheet;
-    Vec3 n, ng;  ///< shading and geometric normal, turned to the viewer
-    Vec3 wo;     ///< to the viewer
-    Vec2 uv;     ///< only where the surface has a texture
-};
-
 /// A length that stands for infinity where 0 * infinity must not arise: through it nothing comes
 /// that is absorbed at all.
 constexpr Real kEndless = 1e30;
-
-constexpr std::uint64_t body_of(const Hit& hit) {
-    return (std::uint64_t{hit.object} << 32U) | hit.instance;
-}
 
 /// One sample's walk through the tree of rays.
 template <bool Transparency, bool Ambient>
@@ -161,25 +102,9 @@ class HallWalk {
         return scratch_.colours;
     }
 
-    /// Whether the ray comes out of a body that it never entered. Then it was inside from its
-    /// origin on: the camera may stand in a body, and of two bodies that touch the second is
-    /// entered in the very point where the first is left.
-    [[nodiscard]] static bool began_inside(const SurfacePoint& at, MediumStack& media) {
-        const bool inside =
-            !at.entering && !at.is_sheet && at.surface->transmits && !media.holds(at.body);
-        if (inside) media.enter(at.body);
-        return inside;
-    }
-
-    /// The surface of the body that `media` is inside of; null outside of all.
-    [[nodiscard]] const Surface* inside_of(const MediumStack& media) const {
-        if (media.innermost() == MediumStack::kOutside) return nullptr;
-        return &tables_.surface_of(static_cast<std::uint32_t>(media.innermost() >> 32U));
-    }
-
     /// Equation 1 over a segment of length b inside the innermost body.
     void absorb(const MediumStack& media, Real b, Float8* weight) const {
-        const Surface* inside = inside_of(media);
+        const Surface* inside = inside_of(media, tables_);
         if (inside == nullptr || !inside->log_transmittance) return;
         attenuate(weight, tables_.row(*inside->log_transmittance), static_cast<float>(b), blocks_);
     }
@@ -214,7 +139,7 @@ class HallWalk {
 
     [[nodiscard]] Response transmit(const SurfacePoint& at, Vec3 wi, const Path& path) {
         if (!at.surface->transmits) return {};
-        return at.surface->model->transmit(at.n, at.wo, wi, boundary_of(at, path.media),
+        return at.surface->model->transmit(at.n, at.wo, wi, boundary_of(at, path.media, tables_),
                                            colours_at(at));
     }
 
@@ -296,7 +221,7 @@ class HallWalk {
         if (!scene_.ambient()) return;
         const AmbientDescription& ambient = *scene_.ambient();
         const Float8* illuminant = ambient_illuminant(at.hit.p);
-        const bool comes_out = !at.entering && at.surface->transmits && !at.is_sheet;
+        const bool comes_out = at.comes_out();
         if (std::holds_alternative<ConstantWeights>(ambient.weights)) {
             if (comes_out) return;
             for (const Term& own : at.surface->model->ambient(colours_at(at))) {
@@ -353,8 +278,9 @@ class HallWalk {
                 MediumStack beyond = path.media;
                 cross(at, beyond);
                 parted = !path.one_wavelength && !at.is_sheet &&
-                         (disperses(path.media) || disperses(beyond));
-                const auto refracted = refracted_direction(ray.d, at, path.media, beyond);
+                         (disperses(path.media, tables_) || disperses(beyond, tables_));
+                const auto refracted =
+                    refracted_direction(ray.d, at, eta_of(at, path.media, beyond));
                 if (refracted) {
                     follow_share(at, *refracted, path.next(beyond, 1, parted),
                                  shares(at, path.media).refracted, {}, parted);
@@ -439,59 +365,28 @@ class HallWalk {
         if (!step_through(at, media)) ++counters_.medium_stack_overflows;
     }
 
-    /// False: there are more bodies inside each other than the stack can hold.
-    static bool step_through(const SurfacePoint& at, MediumStack& media) {
-        if (at.is_sheet) return true;
-        if (at.entering) return media.enter(at.body);
-        media.leave(at.body);
-        return true;
-    }
-
     [[nodiscard]] Shares shares(const SurfacePoint& at, const MediumStack& media,
                                 SurfaceColours& colours) const {
         colours.move_to(at.uv);
-        return at.surface->model->shares(dot(at.n, at.wo), boundary_of(at, media), colours);
+        return at.surface->model->shares(dot(at.n, at.wo), boundary_of(at, media, tables_),
+                                         colours);
     }
     [[nodiscard]] Shares shares(const SurfacePoint& at, const MediumStack& media) {
         return shares(at, media, scratch_.colours);
     }
 
-    [[nodiscard]] Boundary boundary_of(const SurfacePoint& at, const MediumStack& media) const {
-        if (at.is_sheet) return {};
-        MediumStack beyond = media;
-        static_cast<void>(step_through(at, beyond));
-        const auto index = [](const Surface* inside) { return inside ? inside->ior : 1; };
-        return {index(inside_of(media)), index(inside_of(beyond)), at.entering};
+    /// Index before over index beyond, for the wavelength of the sample where it makes a
+    /// difference.
+    [[nodiscard]] Real eta_of(const SurfacePoint& at, const MediumStack& before,
+                              const MediumStack& beyond) {
+        return at.is_sheet ? 1 : index_of(before) / index_of(beyond);
     }
 
-    [[nodiscard]] bool disperses(const MediumStack& media) const {
-        const Surface* inside = inside_of(media);
-        return inside != nullptr && inside->dispersive_ior != nullptr;
-    }
-
-    /// For the wavelength of the sample where it makes a difference.
     [[nodiscard]] Real index_of(const MediumStack& media) {
-        const Surface* inside = inside_of(media);
+        const Surface* inside = inside_of(media, tables_);
         if (inside == nullptr) return 1;
         return inside->dispersive_ior ? inside->dispersive_ior->at(wavelength().lambda_nm)
                                       : inside->ior;
-    }
-
-    /// Interpolated normals can send a ray to the wrong side of the real surface; then the
-    /// geometric normal decides.
-    [[nodiscard]] static Vec3 reflected_direction(Vec3 d, const SurfacePoint& at) {
-        const Vec3 r = reflect(d, at.n);
-        return dot(r, at.ng) > 0 ? r : reflect(d, at.ng);
-    }
-
-    [[nodiscard]] std::optional<Vec3> refracted_direction(Vec3 d, const SurfacePoint& at,
-                                                          const MediumStack& before,
-                                                          const MediumStack& beyond) {
-        if (at.is_sheet) return d;
-        const Real eta = index_of(before) / index_of(beyond);
-        auto t = dot(d, at.n) < 0 ? refract(d, at.n, eta) : std::nullopt;
-        if (!t || dot(*t, at.ng) >= 0) t = refract(d, at.ng, eta);
-        return t;
     }
 
     const Scene& scene_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "renderer/film/film.h"
@@ -99,6 +100,20 @@ std::vector<PlanItem> list(const SceneNeeds& needs, const SpectralBasis& basis) 
         item("emission", needs.emission, "a material in use gives out light",
              "no material in use gives out light"),
     };
+}
+
+/// Of every texture in use, once.
+std::uint64_t texture_memory_bytes(const Scene& scene) {
+    std::set<const Texture*> textures;
+    for (const MaterialDescription* m : materials_in_use(scene)) {
+        textures.insert(m->emission.texture.get());
+        for (const SurfaceSpectrum& colour : needs_of(*m).colours)
+            textures.insert(colour.texture.get());
+    }
+    textures.erase(nullptr);
+    return std::accumulate(
+        textures.begin(), textures.end(), std::uint64_t{0},
+        [](std::uint64_t sum, const Texture* t) { return sum + t->memory_bytes(); });
 }
 
 }  // namespace
@@ -198,7 +213,8 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
     plan.triangles = scene.geometry().num_triangles();
     plan.objects = scene.object_materials().size();
     plan.lights = scene.lights().size();
-    plan.memory_bytes_estimate = film_memory_bytes(settings) + scene.geometry().memory_bytes();
+    plan.memory_bytes_estimate =
+        film_memory_bytes(settings) + scene.geometry().memory_bytes() + texture_memory_bytes(scene);
     return plan;
 }
 
