@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "api/camera_reader.h"
-#include "api/nearest_name.h"
+#include "api/output_reader.h"
 #include "renderer/integrators/integrator_registry.h"
-#include "renderer/spectrum/display.h"
+#include "renderer/scene/scene_white.h"
 
 namespace bouguer::api {
 namespace {
@@ -16,7 +16,6 @@ namespace {
 constexpr Interval kWavelengthStep_nm{1, 100};
 constexpr Interval kFilterRadius{0, 16, true};
 constexpr Interval kRelativeError{1e-6, 1};
-constexpr Interval kExposure{0, 1e30, true};
 constexpr std::int64_t kLargestSeed = 1LL << 53;
 constexpr std::int64_t kHighestPriority = 100;
 constexpr std::uint32_t kDefaultSamples = 16;
@@ -93,14 +92,7 @@ std::optional<renderer::Crop> read_crop(const JsonValue& value, renderer::Resolu
                           static_cast<int>(*height)};
 }
 
-std::string read_display(JsonReader& reader) {
-    std::vector<std::string_view> names;
-    for (const renderer::Display& display : renderer::displays()) names.push_back(display.name);
-    return std::string(reader.one_of("display", names, "srgb"));
-}
-
-/// output: resolution (the camera's by default), crop, display, exposure ("auto" or a factor),
-/// color_space (of the EXR: rec709 | xyz).
+/// output: resolution (the camera's by default), crop, and how the film is shown and stored.
 void read_output(const JsonValue& value, const Limits& limits, JobRequest& job) {
     JsonReader reader(value);
     if (!reader.is_object()) return;
@@ -113,17 +105,7 @@ void read_output(const JsonValue& value, const Limits& limits, JobRequest& job) 
     if (const auto at = reader.find("crop")) {
         job.settings.crop = read_crop(*at, job.settings.resolution, is_resolution_good);
     }
-    job.output.display = read_display(reader);
-    if (const auto at = reader.find("exposure"); at && at->json() != "auto") {
-        if (at->json().is_number()) {
-            job.output.exposure = at->number(kExposure);
-        } else {
-            at->report_type("\"auto\" or a number in " + kExposure.text());
-        }
-    }
-    job.output.exr_colour = reader.one_of("color_space", {"rec709", "xyz"}, "rec709") == "xyz"
-                                ? renderer::FileColour::Xyz
-                                : renderer::FileColour::Rec709;
+    read_output(reader, OutputScope::Files, job.output);
     reader.reject_unknown_keys();
 }
 
@@ -166,6 +148,10 @@ void limit_samples(const JsonReader& reader, const Limits& limits, JobRequest& j
 
 void read_job_settings(JsonReader& reader, const Limits& limits, JobRequest& job) {
     job.settings.resolution = job.scene.resolution;
+    // Of a scene that is refused nothing is known, so its adaptation is not blamed for it.
+    const bool is_scene_good = reader.value().problems().empty();
+    job.output.scene_white =
+        is_scene_good ? renderer::scene_white(job.scene) : renderer::Chromaticity{1.0 / 3, 1.0 / 3};
     if (const auto at = reader.find("integrator")) read_integrator(*at, limits, job.settings);
     if (const auto at = reader.find("stop")) {
         job.stop = read_stop(*at, limits);

@@ -92,6 +92,37 @@ OrderedJson plan_object(const renderer::Plan& plan) {
             {"memory_bytes_estimate", plan.memory_bytes_estimate}};
 }
 
+template <class Names, class Enum>
+std::string_view name_in(const Names& names, Enum value) {
+    return names[static_cast<std::size_t>(value)];
+}
+
+OrderedJson chromaticity_or_null(const std::optional<renderer::Chromaticity>& c) {
+    return c ? OrderedJson{c->x, c->y} : OrderedJson(nullptr);
+}
+
+/// Under the names of a document's `output`.
+OrderedJson seen_object(double exposure, const renderer::OutputSettings& output) {
+    const bool is_adapted = output.adaptation != renderer::Adaptation::None;
+    return {{"display", output.display},
+            {"exposure", exposure},
+            {"adaptation", name_in(renderer::kAdaptationNames, output.adaptation)},
+            {"white", chromaticity_or_null(is_adapted ? output.adapted_white() : std::nullopt)}};
+}
+
+/// read_report_output() takes it up again.
+OrderedJson output_object(const renderer::ImageInfo& image,
+                          const renderer::OutputSettings& output) {
+    OrderedJson json = seen_object(image.exposure, output);
+    json["scene_white"] = chromaticity_or_null(output.scene_white);
+    json["gamut"] = name_in(renderer::kGamutMappingNames, output.gamut);
+    json["color_space"] = name_in(renderer::kFileColourNames, output.exr_colour);
+    json["clipped_pixels"] = image.clipped_pixels;
+    json["out_of_gamut_pixels"] = image.out_of_gamut_pixels;
+    json["over_range_pixels"] = image.over_range_pixels;
+    return json;
+}
+
 OrderedJson digest_or_null(std::string_view digest) {
     return digest.empty() ? OrderedJson(nullptr) : OrderedJson(digest);
 }
@@ -124,24 +155,41 @@ std::string error_csv(const Report& report) {
     return csv;
 }
 
-std::string report_json(const Report& report, std::string_view job_digest,
-                        std::string_view scene_digest) {
+std::string report_json(const Report& report, const renderer::OutputSettings& output,
+                        std::string_view job_digest, std::string_view scene_digest) {
     OrderedJson versions = OrderedJson::object();
     versions["bouguer"] = BOUGUER_VERSION;
     versions["libraries"] = renderer::library_versions();
-    const OrderedJson json = {
-        {"format", "bouguer-report/1"},
-        {"digest", digest_or_null(job_digest)},
-        {"scene_digest", digest_or_null(scene_digest)},
-        {"error", error_object(report)},
-        {"health", health_object(report.health)},
-        {"plan", plan_object(report.plan)},
-        {"timings",
-         {{"scene_s", report.timings.scene_s},
-          {"render_s", report.timings.render_s},
-          {"output_s", report.timings.output_s}}},
-        {"output", {{"exposure", report.exposure}, {"clipped_pixels", report.clipped_pixels}}},
-        {"versions", versions}};
+    const OrderedJson json = {{"format", "bouguer-report/1"},
+                              {"digest", digest_or_null(job_digest)},
+                              {"scene_digest", digest_or_null(scene_digest)},
+                              {"error", error_object(report)},
+                              {"health", health_object(report.health)},
+                              {"plan", plan_object(report.plan)},
+                              {"timings",
+                               {{"scene_s", report.timings.scene_s},
+                                {"render_s", report.timings.render_s},
+                                {"output_s", report.timings.output_s}}},
+                              {"output", output_object(report.image, output)},
+                              {"versions", versions}};
+    return text_of(json);
+}
+
+std::string comparison_json(const renderer::PictureDifference& difference,
+                            const renderer::OutputSettings& output, std::string_view a,
+                            std::string_view b) {
+    const OrderedJson json = {{"a", a},
+                              {"b", b},
+                              {"metric", "CIEDE2000"},
+                              {"width", difference.width},
+                              {"height", difference.height},
+                              {"mean", difference.mean},
+                              {"percentile_95", difference.percentile_95},
+                              {"maximum", difference.maximum},
+                              {"maximum_at", {difference.maximum_x, difference.maximum_y}},
+                              {"compared_pixels", difference.compared_pixels},
+                              {"unknown_pixels", difference.unknown_pixels},
+                              {"seen", seen_object(difference.exposure, output)}};
     return text_of(json);
 }
 

@@ -7,7 +7,9 @@
 #include <string_view>
 
 #include "renderer/core/result.h"
+#include "renderer/film/picture_difference.h"
 #include "renderer/report.h"
+#include "renderer/settings.h"
 
 namespace bouguer::api {
 
@@ -30,9 +32,15 @@ namespace bouguer::api {
 [[nodiscard]] std::string error_json(const renderer::Report& report);
 /// One line a point, RFC 4180; a column is empty where a value is unknown.
 [[nodiscard]] std::string error_csv(const renderer::Report& report);
-/// Everything: error, bias, health, plan, timings, versions, digests. `job_digest`, `scene_digest`
-/// may be empty.
-[[nodiscard]] std::string report_json(const renderer::Report& report, std::string_view job_digest,
-                                      std::string_view scene_digest);
+/// Everything: error, bias, health, plan, timings, output, versions, digests. `job_digest`,
+/// `scene_digest` may be empty.
+[[nodiscard]] std::string report_json(const renderer::Report& report,
+                                      const renderer::OutputSettings& output,
+                                      std::string_view job_digest, std::string_view scene_digest);
+
+/// How two pictures, named `a` and `b`, differ as `output` shows them.
+[[nodiscard]] std::string comparison_json(const renderer::PictureDifference& difference,
+                                          const renderer::OutputSettings& output,
+                                          std::string_view a, std::string_view b);
 
 }  // namespace bouguer::api

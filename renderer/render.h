@@ -87,12 +87,6 @@ class Render {
 };
 
 /// The file bytes of a picture; deterministic: equal pictures give equal bytes.
-struct ImageInfo {
-    double exposure = 1;                    ///< used by the display
-    std::uint64_t clipped_pixels = 0;       ///< outside the display's range, for either reason:
-    std::uint64_t out_of_gamut_pixels = 0;  ///< outside the triangle of its primaries
-    std::uint64_t over_range_pixels = 0;    ///< brighter than one of its channels can be
-};
 [[nodiscard]] Result<std::string> encode_png(const Picture& picture, const OutputSettings& output,
                                              ImageInfo* info = nullptr);
 [[nodiscard]] Result<std::string> encode_exr(const Picture& picture, const OutputSettings& output);

@@ -84,6 +84,14 @@ struct Timings {
     double scene_s = 0, render_s = 0, output_s = 0;
 };
 
+/// What a display made of a picture.
+struct ImageInfo {
+    double exposure = 1;                    ///< used by the display
+    std::uint64_t clipped_pixels = 0;       ///< outside the display's range, for either reason:
+    std::uint64_t out_of_gamut_pixels = 0;  ///< outside the triangle of its primaries
+    std::uint64_t over_range_pixels = 0;    ///< brighter than one of its channels can be
+};
+
 /// What came of a render.
 struct Report {
     std::vector<ErrorPoint> error;
@@ -92,8 +100,7 @@ struct Report {
     Plan plan;
     Timings timings;
     std::string stopped_by;  ///< "samples", "seconds", "error", "cancel"; empty while it runs
-    double exposure = 1;     ///< that the display used
-    std::uint64_t clipped_pixels = 0;  ///< outside the display's range in the newest image
+    ImageInfo image;         ///< of the newest PNG
 };
 
 }  // namespace bouguer::renderer

@@ -2,9 +2,11 @@
 // How a scene is to be rendered, when to stop, and what to make of the film.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "renderer/scene/description.h"
 #include "renderer/spectrum/chromatic_adaptation.h"
@@ -55,16 +57,25 @@ struct StopRule {
 /// What the channels of an EXR file are; all linear, and colorimetric: nothing is adapted.
 enum class FileColour { Rec709, Xyz, DisplayP3, AcesCg };
 
+/// "rec709", "xyz", "display-p3", "acescg", in the order of the enumeration.
+inline constexpr std::array<std::string_view, 4> kFileColourNames{"rec709", "xyz", "display-p3",
+                                                                  "acescg"};
+
 /// How the film is shown and stored.
 struct OutputSettings {
     std::string display = "srgb";
     std::optional<double>
         exposure;  ///< factor on XYZ before the display; empty: the 99th percentile of Y becomes 1
-    Adaptation adaptation = Adaptation::None;  ///< from `white` to the display's white
-    std::optional<Chromaticity>
-        white;  ///< of the scene's light as the viewer takes it; adaptation needs it
+    Adaptation adaptation = Adaptation::None;  ///< from the white below to the display's white
+    std::optional<Chromaticity> white;  ///< that the viewer takes for white; empty: `scene_white`
+    std::optional<Chromaticity> scene_white;  ///< of the scene's light, where that has one colour
     GamutMapping gamut = GamutMapping::Clip;  ///< for what the display cannot show
     FileColour exr_colour = FileColour::Rec709;
+
+    /// What adaptation starts from. Empty: nothing says what is white, and nothing can be adapted.
+    [[nodiscard]] std::optional<Chromaticity> adapted_white() const {
+        return white ? white : scene_white;
+    }
 };
 
 }  // namespace bouguer::renderer

@@ -18,6 +18,7 @@ int run(const Command& command) {
         int operator()(const RenderOptions& options) const { return run_render(options); }
         int operator()(const ValidateOptions& options) const { return run_validate(options); }
         int operator()(const PlanOptions& options) const { return run_plan(options); }
+        int operator()(const CompareOptions& options) const { return run_compare(options); }
         int operator()(const VersionOptions& options) const { return run_version(options); }
     };
     return std::visit(Runner{}, command);

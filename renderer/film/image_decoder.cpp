@@ -65,6 +65,13 @@ Result<void> check_header(const OIIO::ImageSpec& spec, std::size_t max_pixels) {
     return {};
 }
 
+std::vector<std::uint8_t> icc_profile_of(const OIIO::ImageSpec& spec) {
+    const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile");
+    if (profile == nullptr) return {};
+    const auto* bytes = static_cast<const std::uint8_t*>(profile->data());
+    return {bytes, bytes + profile->type().size()};
+}
+
 /// The pixels as numbers of type T, which `type` names.
 template <class T>
 bool read_samples(OIIO::ImageInput& in, OIIO::TypeDesc type, DecodedImage& image) {
@@ -136,6 +143,7 @@ Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_pixels
         image.chromaticities = c;
     if (float y = 0; spec.getattribute("whiteLuminance", OIIO::TypeDesc::FLOAT, &y))
         image.white_luminance = y;
+    image.icc_profile = icc_profile_of(spec);
     if (!read_samples(*in, image))
         return refuse("the image cannot be read: its pixels are damaged");
     return image;

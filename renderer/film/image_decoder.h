@@ -32,7 +32,8 @@ struct DecodedImage {
     int orientation = 1;   ///< of Exif: 1 is upright
     /// x, y of red, green, blue and white; EXR files that say so only.
     std::optional<std::array<float, 8>> chromaticities;
-    std::optional<float> white_luminance;  ///< cd/m^2 of value 1; EXR files that say so only
+    std::optional<float> white_luminance;   ///< cd/m^2 of value 1; EXR files that say so only
+    std::vector<std::uint8_t> icc_profile;  ///< its bytes; empty where the file has none
 
     /// The samples as floats, those of 8 and 16 bits in [0, 1].
     [[nodiscard]] std::vector<float> values() const;

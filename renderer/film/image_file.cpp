@@ -10,6 +10,7 @@
 
 #include "renderer/film/icc_profile.h"
 #include "renderer/film/image_library.h"
+#include "renderer/film/view.h"
 #include "renderer/spectrum/colour.h"
 #include "renderer/spectrum/display.h"
 
@@ -47,15 +48,22 @@ Result<std::string> write(const std::string& format, const OIIO::ImageSpec& spec
     return std::string(bytes.begin(), bytes.end());
 }
 
-OIIO::ImageSpec spec_of(const Picture& picture, OIIO::TypeDesc type) {
-    OIIO::ImageSpec spec(picture.width, picture.height, 3, type);
+OIIO::ImageSpec spec_of(int width, int height, OIIO::TypeDesc type) {
+    OIIO::ImageSpec spec(width, height, 3, type);
     spec.attribute("Software", "Bouguer");
     return spec;
 }
 
 std::uint8_t to_byte(double encoded) { return static_cast<std::uint8_t>(encoded * 255 + 0.5); }
 
-/// Primaries and white, x and y each, as the EXR attribute lists them.
+/// The display that has the primaries; its transfer curve is not used.
+const Display& space_of(FileColour colour) {
+    if (colour == FileColour::Rec709) return *find_display("rec709-linear");
+    return *find_display(kFileColourNames[static_cast<std::size_t>(colour)]);
+}
+
+}  // namespace
+
 std::array<float, 8> listed(const std::array<Chromaticity, 4>& chromaticities) {
     std::array<float, 8> list{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -64,34 +72,6 @@ std::array<float, 8> listed(const std::array<Chromaticity, 4>& chromaticities) {
     }
     return list;
 }
-
-const Display& space_of(FileColour colour) {
-    switch (colour) {
-        case FileColour::Rec709:
-            return *find_display("rec709-linear");
-        case FileColour::Xyz:
-            return *find_display("xyz");
-        case FileColour::DisplayP3:
-            return *find_display("display-p3");
-        case FileColour::AcesCg:
-            return *find_display("acescg");
-    }
-    return *find_display("rec709-linear");
-}
-
-/// Takes XYZ to XYZ as the viewer of the display sees it.
-Result<Matrix3> view_matrix(const OutputSettings& output, const Display& display, double exposure) {
-    if (output.adaptation != Adaptation::None && !(output.white && output.white->y > 0))
-        return fail(ErrorKind::InvalidInput,
-                    "adaptation needs the white of the scene's light, with y above 0");
-    Matrix3 m = adaptation_matrix(output.adaptation, output.white.value_or(Chromaticity{}),
-                                  display.chromaticities[3]);
-    for (auto& row : m)
-        for (double& v : row) v *= exposure;
-    return m;
-}
-
-}  // namespace
 
 double automatic_exposure(const Picture& picture) {
     std::vector<float> luminances;
@@ -111,19 +91,15 @@ double automatic_exposure(const Picture& picture) {
 Result<std::string> encode_png(const Picture& picture, const OutputSettings& output,
                                ImageInfo* info) {
     if (const auto ok = check_size(picture); !ok) return tl::unexpected(ok.error());
-    const Display* display = find_display(output.display);
-    if (!display)
-        return fail(ErrorKind::InvalidInput, "there is no display \"" + output.display + "\"");
+    const auto view = view_of(picture, output);
+    if (!view) return tl::unexpected(view.error());
+    const Display& display = *view->display;
 
     ImageInfo seen;
-    seen.exposure = output.exposure ? *output.exposure : automatic_exposure(picture);
-    const auto view = view_matrix(output, *display, seen.exposure);
-    if (!view) return tl::unexpected(view.error());
+    seen.exposure = view->exposure;
     std::vector<std::uint8_t> bytes(picture.xyz.size());
     for (std::size_t i = 0; i < num_pixels(picture); ++i) {
-        const Xyz c = pixel(picture, i);
-        const auto [x, y, z] = *view * std::array{c.x, c.y, c.z};
-        const ShownColour shown = display->show({x, y, z}, output.gamut);
+        const ShownColour shown = display.show((*view)(&picture.xyz[3 * i]), output.gamut);
         std::transform(shown.rgb.begin(), shown.rgb.end(),
                        bytes.begin() + static_cast<std::ptrdiff_t>(3 * i), to_byte);
         seen.out_of_gamut_pixels += shown.out_of_gamut ? 1 : 0;
@@ -132,17 +108,23 @@ Result<std::string> encode_png(const Picture& picture, const OutputSettings& out
     }
     if (info) *info = seen;
 
-    OIIO::ImageSpec spec = spec_of(picture, OIIO::TypeDesc::UINT8);
+    OIIO::ImageSpec spec = spec_of(picture.width, picture.height, OIIO::TypeDesc::UINT8);
     // Only sRGB has a chunk of its own; for the others a profile says what the numbers mean.
-    if (display->name == "srgb") {
+    if (display.name == "srgb") {
         spec.attribute("oiio:ColorSpace", "sRGB");
     } else {
-        const std::vector<std::uint8_t> profile = icc_profile(*display);
+        const std::vector<std::uint8_t> profile = icc_profile(display);
         spec.attribute("ICCProfile",
                        OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
                        profile.data());
     }
     return write("png", spec, bytes.data());
+}
+
+Result<std::string> encode_png(const Raster& raster) {
+    OIIO::ImageSpec spec = spec_of(raster.width(), raster.height(), OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    return write("png", spec, raster.bytes().data());
 }
 
 Result<std::string> encode_exr(const Picture& picture, const OutputSettings& output) {
@@ -157,7 +139,7 @@ Result<std::string> encode_exr(const Picture& picture, const OutputSettings& out
         }
     }
 
-    OIIO::ImageSpec spec = spec_of(picture, OIIO::TypeDesc::FLOAT);
+    OIIO::ImageSpec spec = spec_of(picture.width, picture.height, OIIO::TypeDesc::FLOAT);
     spec.attribute("compression", "zip");
     spec.attribute("DateTime", "");  // or the time of writing goes in, and no two files are equal
     spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),

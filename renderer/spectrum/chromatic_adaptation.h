@@ -19,7 +19,11 @@ inline constexpr std::array<std::string_view, 3> kAdaptationNames{"none", "bradf
 
 /// The linear map of XYZ that takes `from` to `to`: in the method's cone space each response is
 /// scaled (von Kries). Luminances of the two whites do not matter, only their chromaticities: a
-/// `from` of Y = 1 becomes a `to` of Y = 1. The y of both is above 0. None: the identity.
+/// `from` of Y = 1 becomes a `to` of Y = 1. Both can_be_white(). None: the identity.
 Matrix3 adaptation_matrix(Adaptation method, Chromaticity from, Chromaticity to);
+
+/// Whether an eye could take the colour for white: its y is at least 1e-3 and all three responses
+/// of the method's cones are above 0, as those of every light but of very pure reds and blues are.
+bool can_be_white(Adaptation method, Chromaticity c);
 
 }  // namespace bouguer::renderer

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/integrators/integrator_registry.h"
+#include "server/cli/document.h"
 
 namespace bouguer::server {
 namespace {
@@ -66,17 +67,24 @@ void add_stop_overrides(CLI::App& app, Overrides& o) {
         ->group(kGroup);
 }
 
+void add_output_text(CLI::App& app, const api::OutputParameter& parameter, api::OutputTexts& texts,
+                     const char* group) {
+    app.add_option_function<std::string>(
+           option_of(parameter.name),
+           [&texts, name = std::string(parameter.name)](const std::string& text) {
+               texts[name] = text;
+           },
+           std::string(parameter.description))
+        ->group(group);
+}
+
 void add_output_overrides(CLI::App& app, Overrides& o) {
     constexpr const char* kGroup = "In place of what the document says";
     app.add_option("--seed", o.seed, "of all random numbers")
         ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U))
         ->group(kGroup);
-    app.add_option("--display", o.display, "of PNG files: srgb, display-p3, lee-9300k ...")
-        ->group(kGroup);
-    app.add_option("--exposure", o.exposure, "of PNG files: a factor, or auto")->group(kGroup);
-    app.add_option("--color-space", o.color_space, "of EXR files: rec709 or xyz")
-        ->check(CLI::IsMember({"rec709", "xyz"}))
-        ->group(kGroup);
+    for (const auto& parameter : api::kOutputParameters)
+        add_output_text(app, parameter, o.output, kGroup);
 }
 
 void add_serve(CLI::App& app, ServeOptions& o) {
@@ -119,6 +127,19 @@ void add_render(CLI::App& app, RenderOptions& o) {
     add_output_overrides(app, o.overrides);
 }
 
+void add_compare(CLI::App& app, CompareOptions& o) {
+    constexpr const char* kFiles = "picture: .exr, or .png as shown";
+    app.add_option("a", o.a, kFiles)->required()->type_name("A");
+    app.add_option("b", o.b, kFiles)->required()->type_name("B");
+    app.add_option("-o,--output", o.map, "map of the differences to write, .png")
+        ->type_name("MAP.png");
+    app.add_flag("--json", o.json, "as JSON");
+    for (const auto& parameter : api::kOutputParameters) {
+        if (parameter.is_compared)
+            add_output_text(app, parameter, o.output, "How both are shown (EXR)");
+    }
+}
+
 /// All subcommands and where what they read goes to.
 struct CommandLine {
     CLI::App app{"Bouguer: a spectral renderer, as a service and for the shell", "bouguer"};
@@ -127,11 +148,14 @@ struct CommandLine {
     RenderOptions render;
     ValidateOptions validate;
     PlanOptions plan;
+    CompareOptions compare;
     CLI::App* serve_app = app.add_subcommand("serve", "run the daemon");
     CLI::App* render_app = app.add_subcommand("render", "render a scene into files");
     CLI::App* validate_app = app.add_subcommand("validate", "tell every problem of a document");
     CLI::App* plan_app =
         app.add_subcommand("plan", "tell what a scene needs and what is left out, and why");
+    CLI::App* compare_app =
+        app.add_subcommand("compare", "tell how different two pictures look, in CIEDE2000");
 
     CommandLine() {
         app.require_subcommand(0, 1);
@@ -143,6 +167,7 @@ struct CommandLine {
         add_document(*plan_app, plan.document);
         add_overrides(*plan_app, plan.overrides);
         plan_app->add_flag("--json", plan.json, "as JSON");
+        add_compare(*compare_app, compare);
     }
 
     [[nodiscard]] std::variant<Command, UsageMessage> chosen() const {
@@ -151,6 +176,7 @@ struct CommandLine {
         if (render_app->parsed()) return Command(render);
         if (validate_app->parsed()) return Command(validate);
         if (plan_app->parsed()) return Command(plan);
+        if (compare_app->parsed()) return Command(compare);
         return UsageMessage{kExitBadInput, app.help()};
     }
 };

@@ -16,6 +16,8 @@ namespace bouguer::server {
 
 [[nodiscard]] int run_validate(const ValidateOptions& options);
 [[nodiscard]] int run_plan(const PlanOptions& options);
+/// Prints how different two pictures look, and writes the map of it when one is asked for.
+[[nodiscard]] int run_compare(const CompareOptions& options);
 [[nodiscard]] int run_version(const VersionOptions& options);
 
 }  // namespace bouguer::server

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server/cli/document.h"
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <ostream>
 
 #include "renderer/integrators/integrator_registry.h"
-#include "renderer/spectrum/display.h"
 #include "server/cli/command_line.h"
 #include "server/storage/durable_file.h"
 #include "server/storage/folder_asset_source.h"
@@ -38,24 +37,12 @@ std::optional<renderer::Resolution> resolution_from(std::string_view text, int m
     return renderer::Resolution{*width, *height};
 }
 
-std::optional<double> factor_from(const std::string& text) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    if (!std::isfinite(value) || value <= 0) return std::nullopt;
-    return value;
-}
-
-std::string names_of_displays() {
-    std::string names;
-    for (const renderer::Display& display : renderer::displays()) {
-        names += (names.empty() ? "" : ", ") + display.name;
-    }
-    return names;
-}
-
 bool contains(renderer::Resolution whole, const renderer::Crop& crop) {
     return crop.x + crop.width <= whole.width && crop.y + crop.height <= whole.height;
+}
+
+Error options_error(std::vector<Problem> problems) {
+    return {ErrorKind::InvalidInput, "the options do not fit", std::move(problems), {}};
 }
 
 /// Applies options one by one and collects what does not fit.
@@ -102,21 +89,12 @@ class Applier {
     }
 
     void apply_output() {
-        if (o_.display) {
-            if (renderer::find_display(*o_.display) == nullptr) {
-                refuse("--display", *o_.display, names_of_displays());
-            }
-            job_.output.display = *o_.display;
-        }
-        if (o_.exposure) {
-            job_.output.exposure = factor_from(*o_.exposure);
-            if (!job_.output.exposure && *o_.exposure != "auto") {
-                refuse("--exposure", *o_.exposure, "auto or a number above 0");
-            }
-        }
-        if (o_.color_space) {
-            job_.output.exr_colour =
-                *o_.color_space == "xyz" ? renderer::FileColour::Xyz : renderer::FileColour::Rec709;
+        auto output = read_output_options(o_.output, api::OutputScope::Files, job_.output);
+        if (output) {
+            job_.output = std::move(*output);
+        } else {
+            auto& more = output.error().problems;
+            problems_.insert(problems_.end(), more.begin(), more.end());
         }
     }
 
@@ -140,8 +118,25 @@ Result<void> apply_overrides(api::JobRequest& job, const Overrides& overrides) {
     if (overrides != Overrides{}) job.digest.clear();
     auto problems = Applier(job, overrides).apply();
     if (problems.empty()) return {};
-    Error error{ErrorKind::InvalidInput, "the options do not fit", std::move(problems), {}};
-    return tl::unexpected(std::move(error));
+    return tl::unexpected(options_error(std::move(problems)));
+}
+
+Result<renderer::OutputSettings> read_output_options(const api::OutputTexts& texts,
+                                                     api::OutputScope scope,
+                                                     const renderer::OutputSettings& base) {
+    auto output = api::read_output_texts(texts, scope, base);
+    if (output) return output;
+    auto problems = std::move(output.error().problems);
+    for (Problem& problem : problems) {
+        problem.pointer = option_of(std::string_view(problem.pointer).substr(1));
+    }
+    return tl::unexpected(options_error(std::move(problems)));
+}
+
+std::string option_of(std::string_view parameter) {
+    std::string option = "--" + std::string(parameter);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
 }
 
 int print_error(std::ostream& out, const Error& error) {

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <string>
+#include <string_view>
 
 #include "api/job_document.h"
 #include "server/cli/options.h"
@@ -17,6 +19,13 @@ namespace bouguer::server {
 /// Error{InvalidInput} with a problem for every option that does not fit; their pointers are the
 /// options' names.
 [[nodiscard]] Result<void> apply_overrides(api::JobRequest& job, const Overrides& overrides);
+
+/// As api::read_output_texts(); the problems' pointers are the options' names.
+[[nodiscard]] Result<renderer::OutputSettings> read_output_options(
+    const api::OutputTexts& texts, api::OutputScope scope, const renderer::OutputSettings& base);
+
+/// "--color-space" for "color_space".
+[[nodiscard]] std::string option_of(std::string_view parameter);
 
 /// Writes the message and every problem, a line each: "pointer: detail (found X, allowed Y)".
 /// Returns the program's exit code for it.

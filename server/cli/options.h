@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "api/output_texts.h"
+
 namespace bouguer::server {
 
 /// Said on the command line in place of what the document says.
@@ -18,11 +20,9 @@ struct Overrides {
     std::optional<std::uint32_t> samples;   ///< any of these three replaces the whole stop rule
     std::optional<double> seconds, error;
     std::optional<std::uint64_t> seed;
-    std::optional<std::string> display;
-    std::optional<std::string> exposure;     ///< "auto" or a number
-    std::optional<std::string> color_space;  ///< of EXR files: "rec709", "xyz"
-    std::optional<std::string> resolution;   ///< "640x480"
-    std::optional<double> wavelength_step;   ///< nm
+    api::OutputTexts output;                ///< as in queries: "exposure" -> "auto"
+    std::optional<std::string> resolution;  ///< "640x480"
+    std::optional<double> wavelength_step;  ///< nm
     std::optional<int> max_depth;
     bool operator==(const Overrides&) const = default;
 };
@@ -56,9 +56,16 @@ struct PlanOptions {
     bool json = false;
 };
 
+struct CompareOptions {
+    std::filesystem::path a, b;                ///< .exr or .png
+    std::optional<std::filesystem::path> map;  ///< .png to write
+    api::OutputTexts output;                   ///< how they are shown
+    bool json = false;
+};
+
 struct VersionOptions {};
 
-using Command =
-    std::variant<ServeOptions, RenderOptions, ValidateOptions, PlanOptions, VersionOptions>;
+using Command = std::variant<ServeOptions, RenderOptions, ValidateOptions, PlanOptions,
+                             CompareOptions, VersionOptions>;
 
 }  // namespace bouguer::server

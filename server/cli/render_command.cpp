@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
-#include <fstream>
 #include <future>
 #include <iostream>
 #include <thread>
@@ -8,11 +7,11 @@
 #include "server/cli/command_line.h"
 #include "server/cli/commands.h"
 #include "server/cli/document.h"
+#include "server/cli/output_file.h"
 #include "server/cli/progress_bar.h"
 #include "server/cli/stop_signal.h"
 #include "server/jobs/prepare_render.h"
 #include "server/jobs/worker_pool.h"
-#include "server/storage/durable_file.h"
 
 namespace bouguer::server {
 namespace {
@@ -62,21 +61,6 @@ RenderOutcome render(api::JobRequest job, int threads, StopSignal& stop) {
         bar.draw(task->progress());
     }
     return future.get();
-}
-
-/// Regular files are replaced as a whole, also behind links; devices and pipes are written to.
-Result<void> write_output(const std::filesystem::path& file, std::string_view bytes) {
-    std::error_code unknown;
-    const auto target = std::filesystem::weakly_canonical(file, unknown);
-    const auto status = std::filesystem::status(target, unknown);
-    if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
-        return replace_file(target.empty() ? file : target, bytes);
-    }
-    std::ofstream out(target, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out) return fail(ErrorKind::Internal, "cannot write to " + file.string());
-    return {};
 }
 
 Result<void> write_results(const RenderOptions& options, const RenderOutcome& outcome) {

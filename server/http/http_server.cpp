@@ -5,7 +5,9 @@
 
 #include "server/http/connection_front.h"
 #include "server/http/event_hub.h"
+#include "server/http/image_work.h"
 #include "server/http/router.h"
+#include "server/http/routes/compare_routes.h"
 #include "server/http/routes/event_routes.h"
 #include "server/http/routes/health_routes.h"
 #include "server/http/routes/job_routes.h"
@@ -20,7 +22,7 @@ class HttpServer::Impl {
   public:
     Impl(JobService& jobs, const HttpOptions& options, const AccessLog& log, Listener listener)
         : deadlines_(options.deadlines),
-          router_(make_router(jobs, options)),
+          router_(make_router(jobs, options, images_)),
           hub_(options, log),
           front_(std::move(listener), options,
                  {.handle = [this](Exchange& exchange) { router_->handle(exchange); },
@@ -41,12 +43,14 @@ class HttpServer::Impl {
     }
 
   private:
-    static std::unique_ptr<Router> make_router(JobService& jobs, const HttpOptions& options) {
+    static std::unique_ptr<Router> make_router(JobService& jobs, const HttpOptions& options,
+                                               ImageWork& images) {
         auto router = std::make_unique<Router>(options.cors_origins);
         add_health_routes(*router, jobs);
         add_job_routes(*router, jobs, options.deadlines);
         add_event_routes(*router, jobs, options);
-        add_result_routes(*router, jobs);
+        add_result_routes(*router, jobs, images);
+        add_compare_routes(*router, jobs, images);
         add_scene_routes(*router, jobs);
         add_library_routes(*router);
         add_web_routes(*router);
@@ -54,6 +58,7 @@ class HttpServer::Impl {
     }
 
     const HttpDeadlines deadlines_;
+    ImageWork images_;
     std::unique_ptr<Router> router_;
     EventHub hub_;
     ConnectionFront front_;  // last: it uses the others until it is gone

@@ -3,6 +3,7 @@
 
 #include "api/digest.h"
 #include "server/http/byte_range.h"
+#include "server/http/negotiation.h"
 #include "server/http/problems.h"
 
 namespace bouguer::server {
@@ -46,6 +47,19 @@ Representation json_representation(std::string json) {
             .tag = std::move(tag),
             .immutable = false,
             .ranges = false};
+}
+
+std::optional<std::size_t> choose_type(const httplib::Request& request, httplib::Response& response,
+                                       std::span<const std::string_view> types,
+                                       std::string_view request_id) {
+    response.set_header("Vary", "Accept");
+    const auto chosen = negotiate(request.get_header_value("Accept"), types);
+    if (!chosen) {
+        send_problem(response,
+                     Refusal{406, "not-acceptable", "None of the accepted types is on offer."},
+                     request_id);
+    }
+    return chosen;
 }
 
 void send_representation(const httplib::Request& request, httplib::Response& response,

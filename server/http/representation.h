@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sending bytes that have an entity tag: conditional requests and ranges [RFC 9110 §13, §14].
+// Sending bytes that have an entity tag: content negotiation, conditional requests and ranges
+// [RFC 9110 §12, §13, §14].
 #pragma once
 
 #include <httplib.h>
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,6 +25,12 @@ struct Representation {
 /// 200, 206, 304 or 416, as the request's If-None-Match, Range and If-Range ask.
 void send_representation(const httplib::Request& request, httplib::Response& response,
                          Representation representation, std::string_view request_id);
+
+/// Which of the media types is to be sent, as Accept asks. Empty: a 406 has been.
+[[nodiscard]] std::optional<std::size_t> choose_type(const httplib::Request& request,
+                                                     httplib::Response& response,
+                                                     std::span<const std::string_view> types,
+                                                     std::string_view request_id);
 
 /// A result file: its digest is the tag, and parts may be asked for.
 [[nodiscard]] Representation representation_of(ResultFile file);

@@ -7,6 +7,7 @@
 #include "server/jobs/job_json.h"
 #include "server/jobs/memory_estimate.h"
 #include "server/jobs/prepare_render.h"
+#include "server/jobs/turn.h"
 #include "server/log.h"
 #include "server/utc_time.h"
 
@@ -49,20 +50,6 @@ std::string sentence(const Error& error) {
     const Problem& first = error.problems.front();
     return error.message + " (" + first.pointer + ": " + first.detail + ")";
 }
-
-/// Counts a thread as busy with something of which only a few may run.
-class Turn {
-  public:
-    explicit Turn(std::atomic<int>& count) : count_(count), number_(++count) {}
-    ~Turn() { --count_; }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
-    [[nodiscard]] bool is_within(int limit) const { return number_ <= limit; }
-
-  private:
-    std::atomic<int>& count_;
-    const int number_;
-};
 
 }  // namespace
 

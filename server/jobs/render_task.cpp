@@ -163,7 +163,8 @@ bool RenderTask::merge_locked(std::unique_ptr<renderer::UnitResult> result) {
 
 void RenderTask::make_preview(const renderer::Picture& picture) {
     const auto begin = Clock::now();
-    auto png = renderer::encode_png(picture, prepared_.output);
+    renderer::ImageInfo shown;
+    auto png = renderer::encode_png(picture, prepared_.output, &shown);
     JobProgress progress;
     {
         const std::lock_guard lock(mutex_);
@@ -171,6 +172,7 @@ void RenderTask::make_preview(const renderer::Picture& picture) {
         preview_cost_ = Clock::now() - begin;
         if (!png) return;  // the finished picture will fail too, and say why
         png_ = std::move(*png);
+        shown_ = shown;
         progress = progress_locked();
     }
     listener_.preview(id_, progress);
@@ -252,6 +254,7 @@ renderer::Report RenderTask::report_locked() const {
     renderer::Report report = prepared_.render->report();
     report.timings.scene_s = prepared_.scene_seconds;
     report.timings.render_s = seconds_locked();
+    report.image = shown_;
     if (is_cancelled_ && report.stopped_by.empty()) report.stopped_by = "cancel";
     return report;
 }
@@ -295,7 +298,7 @@ Result<ResultFile> RenderTask::file(const std::string& name) const {
             report = report_locked();
         }
     }
-    if (report) file.bytes = report_file(name, *report, digests).value_or("");
+    if (report) file.bytes = report_file(name, *report, output, digests).value_or("");
     if (picture) {
         auto exr = renderer::encode_exr(*picture, output);
         if (!exr) return tl::unexpected(exr.error());

@@ -121,6 +121,7 @@ class RenderTask final : public Task {
     Clock::time_point render_began_;
     JobProgress last_progress_;  ///< the error of the newest pass; all of it once ended
     std::string png_;            ///< the newest preview
+    renderer::ImageInfo shown_;  ///< what it shows
     bool is_making_preview_ = false;
     Clock::time_point last_preview_, last_progress_event_;
     Clock::duration preview_cost_{};

@@ -9,7 +9,9 @@
 namespace bouguer::server {
 namespace {
 
-using Writer = std::string (*)(const renderer::Report&, const JobDigests&);
+using renderer::OutputSettings;
+using renderer::Report;
+using Writer = std::string (*)(const Report&, const OutputSettings&, const JobDigests&);
 
 struct ResultName {
     std::string_view name, media_type;
@@ -21,21 +23,23 @@ constexpr std::array kResults{
     ResultName{"image.png", "image/png", nullptr},
     ResultName{"image.exr", "image/x-exr", nullptr},
     ResultName{"report.json", "application/json",
-               [](const renderer::Report& report, const JobDigests& digests) {
-                   return api::report_json(report, digests.job, digests.scene);
+               [](const Report& report, const OutputSettings& output, const JobDigests& digests) {
+                   return api::report_json(report, output, digests.job, digests.scene);
                }},
-    ResultName{
-        "error.json", "application/json",
-        [](const renderer::Report& report, const JobDigests&) { return api::error_json(report); }},
-    ResultName{
-        "error.csv", "text/csv",
-        [](const renderer::Report& report, const JobDigests&) { return api::error_csv(report); }},
+    ResultName{"error.json", "application/json",
+               [](const Report& report, const OutputSettings&, const JobDigests&) {
+                   return api::error_json(report);
+               }},
+    ResultName{"error.csv", "text/csv",
+               [](const Report& report, const OutputSettings&, const JobDigests&) {
+                   return api::error_csv(report);
+               }},
     ResultName{"plan.json", "application/json",
-               [](const renderer::Report& report, const JobDigests&) {
+               [](const Report& report, const OutputSettings&, const JobDigests&) {
                    return api::plan_json(report.plan);
                }},
     ResultName{"health.json", "application/json",
-               [](const renderer::Report& report, const JobDigests&) {
+               [](const Report& report, const OutputSettings&, const JobDigests&) {
                    return api::health_json(report.health);
                }},
 };
@@ -47,15 +51,12 @@ const ResultName* find_result(std::string_view name) {
     return nullptr;
 }
 
-Result<void> add_images(const renderer::Picture& picture, const renderer::OutputSettings& output,
-                        renderer::Report& report, ResultFiles& files) {
-    renderer::ImageInfo info;
-    auto png = renderer::encode_png(picture, output, &info);
+Result<void> add_images(const renderer::Picture& picture, const OutputSettings& output,
+                        Report& report, ResultFiles& files) {
+    auto png = renderer::encode_png(picture, output, &report.image);
     if (!png) return tl::unexpected(png.error());
     auto exr = renderer::encode_exr(picture, output);
     if (!exr) return tl::unexpected(exr.error());
-    report.exposure = info.exposure;
-    report.clipped_pixels = info.clipped_pixels;
     files["image.png"] = std::move(*png);
     files["image.exr"] = std::move(*exr);
     return {};
@@ -73,16 +74,15 @@ bool is_image(std::string_view name) {
     return result != nullptr && result->write == nullptr;
 }
 
-std::optional<std::string> report_file(std::string_view name, const renderer::Report& report,
-                                       const JobDigests& digests) {
+std::optional<std::string> report_file(std::string_view name, const Report& report,
+                                       const OutputSettings& output, const JobDigests& digests) {
     const ResultName* result = find_result(name);
     if (result == nullptr || result->write == nullptr) return std::nullopt;
-    return result->write(report, digests);
+    return result->write(report, output, digests);
 }
 
-Result<ResultFiles> result_files(const std::optional<renderer::Picture>& picture,
-                                 renderer::Report& report, const renderer::OutputSettings& output,
-                                 const JobDigests& digests) {
+Result<ResultFiles> result_files(const std::optional<renderer::Picture>& picture, Report& report,
+                                 const OutputSettings& output, const JobDigests& digests) {
     const auto begin = std::chrono::steady_clock::now();
     ResultFiles files;
     if (picture) {
@@ -94,7 +94,7 @@ Result<ResultFiles> result_files(const std::optional<renderer::Picture>& picture
     report.timings.output_s = spent.count();
     for (const ResultName& result : kResults) {
         if (result.write != nullptr)
-            files[std::string(result.name)] = result.write(report, digests);
+            files[std::string(result.name)] = result.write(report, output, digests);
     }
     return files;
 }

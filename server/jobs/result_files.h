@@ -22,14 +22,15 @@ struct JobDigests {
     std::string job, scene;  ///< "sha256-<hex>"; may be empty
 };
 
-/// One of the files made of the report alone: "report.json", "error.json", "error.csv",
-/// "plan.json", "health.json". Empty for other names.
+/// One of the files without a picture: "report.json", "error.json", "error.csv", "plan.json",
+/// "health.json". Empty for other names.
 [[nodiscard]] std::optional<std::string> report_file(std::string_view name,
                                                      const renderer::Report& report,
+                                                     const renderer::OutputSettings& output,
                                                      const JobDigests& digests);
 
 /// Every file of a render that has ended; without images when there is no picture. Completes the
-/// report: timings.output_s, exposure, clipped pixels.
+/// report: timings.output_s, image.
 [[nodiscard]] Result<ResultFiles> result_files(const std::optional<renderer::Picture>& picture,
                                                renderer::Report& report,
                                                const renderer::OutputSettings& output,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The daemon's page: submit a scene, follow its events, look at what comes.
 import { clearJob, element, make, percent, showLinks, showPicture, showProgress, showReport } from "/job_view.js";
+import { offerLook, withdrawLook } from "/look.js";
 
 let stream = null;
 let follower = 0;  // grows with every job that is shown: late answers for another are dropped
@@ -49,7 +50,11 @@ async function onEnd(job) {
   if (view.state === "done") element("bar").value = 1;
   else say(`The job ended as ${view.state}${view.failure ? `: ${view.failure}` : "."}`);
   if (view.images.length > 0) {
-    showPicture(job, `${view.revision}-end`);
+    showPicture(job, `v=${view.revision}-end`);
+    offerLook((query) => {
+      showPicture(job, query);
+      element("png").href = `${job}/image.png?${query}`;
+    });
     showLinks(job);
   }
   await showReport(job);
@@ -60,6 +65,7 @@ async function onEnd(job) {
 function follow(id, name) {
   stopFollowing();
   clearJob();
+  withdrawLook();
   const mine = ++follower;
   const job = `/v1/jobs/${id}`;
   history.replaceState(null, "", `#${id}`);
@@ -73,13 +79,13 @@ function follow(id, name) {
   on("snapshot", (view) => {
     element("title").textContent = view.name || "Picture";
     showProgress(view.progress);
-    if (view.images.length > 0) showPicture(job, `${view.revision}-${view.progress.pass}`);
+    if (view.images.length > 0) showPicture(job, `v=${view.revision}-${view.progress.pass}`);
     showReport(job);
   });
   on("progress", (data) => showProgress(data.progress));
   on("preview", (data, event) => {
     showProgress(data.progress);
-    showPicture(job, event.lastEventId);
+    showPicture(job, `v=${event.lastEventId}`);
     showReport(job);
   });
   on("done", () => onEnd(job));

@@ -28,14 +28,14 @@ export function showProgress(progress) {
   element("status").textContent = parts.join(" · ");
 }
 
-/** `version` tells the browser that the picture is another one. */
-export function showPicture(job, version) {
+/** `query` chooses display, exposure and white; `v=...` tells the browser that the picture is another one. */
+export function showPicture(job, query) {
   const next = new Image();
   next.addEventListener("load", () => {
     element("picture").src = next.src;
     element("picture").hidden = false;
   });
-  next.src = `${job}/image.png?v=${encodeURIComponent(version)}`;
+  next.src = `${job}/image.png?${query}`;
 }
 
 const healthRows = [

@@ -120,7 +120,7 @@ TEST(ReportWriter, KeepsTheBiasApartFromTheNoise) {
 }
 
 TEST(ReportWriter, WritesEverything) {
-    const Json json = Json::parse(report_json(sample_report(), "sha256-aa", ""));
+    const Json json = Json::parse(report_json(sample_report(), {}, "sha256-aa", ""));
     EXPECT_EQ(json["format"], "bouguer-report/1");
     EXPECT_EQ(json["digest"], "sha256-aa");
     EXPECT_TRUE(json["scene_digest"].is_null());
@@ -161,7 +161,7 @@ void compare(const Json& whole, const Json& schema, const Json& value, const std
 
 TEST(ReportWriter, WritesWhatTheDescriptionSays) {
     const Json whole = Json::parse(openapi_json());
-    const Json report = Json::parse(report_json(sample_report(), "sha256-aa", "sha256-bb"));
+    const Json report = Json::parse(report_json(sample_report(), {}, "sha256-aa", "sha256-bb"));
     std::vector<std::string> faults;
     compare(whole, whole["components"]["schemas"]["Report"], report, "", faults);
     EXPECT_EQ(faults, std::vector<std::string>());
@@ -169,6 +169,34 @@ TEST(ReportWriter, WritesWhatTheDescriptionSays) {
     compare(whole, whole["components"]["schemas"]["Problem"],
             Json::parse(problem_json(error, "req-1")), "", faults);
     EXPECT_EQ(faults, std::vector<std::string>());
+}
+
+TEST(ReportWriter, TellsExposureWhiteAndWhatWasNotShown) {
+    renderer::Report report = sample_report();
+    report.image = {0.5, 7, 4, 5};
+    renderer::OutputSettings output;
+    output.scene_white = renderer::Chromaticity{0.3, 0.4};
+    Json json = Json::parse(report_json(report, output, "", ""))["output"];
+    EXPECT_EQ(json["exposure"], 0.5);
+    EXPECT_EQ(json["clipped_pixels"], 7);
+    EXPECT_EQ(json["out_of_gamut_pixels"], 4);
+    EXPECT_EQ(json["over_range_pixels"], 5);
+    EXPECT_TRUE(json["white"].is_null()) << "nothing was adapted";
+    output.adaptation = renderer::Adaptation::Cat16;
+    json = Json::parse(report_json(report, output, "", ""))["output"];
+    EXPECT_EQ(json["white"], Json::parse("[0.3,0.4]"));
+}
+
+TEST(ComparisonWriter, WritesWhatTheDescriptionSays) {
+    renderer::PictureDifference difference;
+    difference.mean = std::nan("");
+    const Json json = Json::parse(comparison_json(difference, {}, "one", "two"));
+    const Json whole = Json::parse(openapi_json());
+    std::vector<std::string> faults;
+    compare(whole, whole["components"]["schemas"]["Comparison"], json, "", faults);
+    EXPECT_EQ(faults, std::vector<std::string>());
+    EXPECT_TRUE(json["mean"].is_null());
+    EXPECT_EQ(json["b"], "two");
 }
 
 TEST(ReportWriter, WritesNullForWhatIsNotFinite) {

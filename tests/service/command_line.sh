@@ -34,6 +34,7 @@ expect 2 "No such file" "$bouguer" render "$work/none.json" -o "$work/x.png"
 expect 2 "/sead: " "$bouguer" render "$work/bad.json" -o "$work/x.png"
 [ ! -e "$work/x.png" ] || fail "a refused command must write nothing"
 expect 1 "cannot make" "$bouguer" render "$work/job.json" -o "$work/no/such/x.png"
+expect 2 "--white" "$bouguer" render "$work/job.json" -o "$work/x.png" --white amber
 
 expect 0 "valid" "$bouguer" validate "$work/job.json"
 expect 2 "/sead: " "$bouguer" validate "$work/bad.json"
@@ -56,6 +57,15 @@ grep -q '"error"' "$work/report.json" || fail "no report"
 expect 0 "wrote" "$bouguer" render "$source_dir/client-examples/scenes/grey-card.json" -o "$work/b.png" \
     --resolution 20x10 --integrator rgb --display lee-9300k --exposure 0.5 --seed 9 --max-depth 2 --threads 1
 [ "$(od -An -tu1 -j16 -N8 "$work/b.png" | tr -s ' ')" = " 0 0 0 20 0 0 0 10" ] || fail "the resolution is not 20 x 10"
+
+# Two pictures: of the same job the same; as shown in a PNG nearly so.
+expect 0 "maximum          0 at (0, 0)" "$bouguer" compare "$work/a.exr" "$work/a.exr"
+expect 0 '"metric":"CIEDE2000"' "$bouguer" compare "$work/a.exr" "$work/a.png" --json -o "$work/map.png" --white A
+[ "$(head -c 4 "$work/map.png" | od -An -tx1 | tr -d ' ')" = 89504e47 ] || fail "no map"
+expect 2 "differ in size" "$bouguer" compare "$work/a.exr" "$work/b.png"
+expect 2 "render it first" "$bouguer" compare "$work/a.exr" "$work/job.json"
+expect 2 "--exposure" "$bouguer" compare "$work/a.exr" "$work/a.exr" --exposure 0
+expect 2 "No such file" "$bouguer" compare "$work/a.exr" "$work/none.exr"
 
 # Results go where a link or a device leads; neither is replaced by a file. What cannot be printed is a failure.
 touch "$work/kept"

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "server/http/problems.h"
+#include "server/http/query.h"
 #include "server/http/representation.h"
 #include "server/http/routes/job_id_pattern.h"
 
@@ -30,19 +31,6 @@ std::optional<std::size_t> small_number(const std::string& text) {
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     const bool good = !text.empty() && text.size() <= 9 && stop == end && error == std::errc{};
     return good ? std::optional(value) : std::nullopt;
-}
-
-Error bad_parameter(const std::string& name, std::string code, std::string found,
-                    std::string allowed) {
-    Problem problem{.pointer = "",
-                    .code = std::move(code),
-                    .detail = "query parameter " + name + " is not acceptable",
-                    .found = std::move(found),
-                    .allowed = std::move(allowed)};
-    return {.kind = ErrorKind::InvalidInput,
-            .message = "The query is not acceptable.",
-            .problems = {std::move(problem)},
-            .code = "invalid-query"};
 }
 
 /// POST /v1/jobs -> 202 + Location.

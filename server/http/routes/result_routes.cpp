@@ -4,16 +4,23 @@
 #include <array>
 #include <span>
 
-#include "server/http/negotiation.h"
 #include "server/http/problems.h"
+#include "server/http/query.h"
 #include "server/http/representation.h"
 #include "server/http/routes/job_id_pattern.h"
+#include "server/jobs/job_film.h"
+#include "server/jobs/result_files.h"
 
 namespace bouguer::server {
 namespace {
 
 using httplib::Request;
 using httplib::Response;
+
+struct ResultContext {
+    const JobService& jobs;
+    ImageWork& images;
+};
 
 /// A path below the job and the file that it names.
 struct NamedResult {
@@ -41,45 +48,55 @@ constexpr std::array kErrorOffers{
     Offer{"text/csv", "error.csv"},
 };
 
-void send_file(const JobService& jobs, const std::string& name, const Request& request,
+/// The file as it is kept, or, where the query asks for another image, that one.
+Result<ResultFile> file_as_asked(const ResultContext& context, const std::string& name,
+                                 const Request& request) {
+    const JobId id = request.matches[1];
+    if (!is_image(name)) return context.jobs.file(id, name);
+    const auto query = query_of(request);
+    if (!query) return tl::unexpected(query.error());
+    if (query->empty()) return context.jobs.file(id, name);
+    auto made = context.images.run([&] { return image_anew(context.jobs, id, name, *query); });
+    // Of problems by name only the reader of the query knows.
+    if (!made && !made.error().problems.empty()) return tl::unexpected(bad_query(made.error()));
+    return made;
+}
+
+void send_file(const ResultContext& context, const std::string& name, const Request& request,
                Response& response, const Exchange& exchange) {
-    auto file = jobs.file(request.matches[1], name);
+    auto file = file_as_asked(context, name, request);
     if (!file) return send_problem(response, file.error(), exchange.request_id);
     send_representation(request, response, representation_of(std::move(*file)),
                         exchange.request_id);
 }
 
-void send_negotiated(const JobService& jobs, std::span<const Offer> offers, const Request& request,
-                     Response& response, const Exchange& exchange) {
+void send_negotiated(const ResultContext& context, std::span<const Offer> offers,
+                     const Request& request, Response& response, const Exchange& exchange) {
     std::vector<std::string_view> types;
     for (const Offer& offer : offers) types.push_back(offer.media_type);
-    const auto chosen = negotiate(request.get_header_value("Accept"), types);
-    response.set_header("Vary", "Accept");
-    if (!chosen) {
-        return send_problem(
-            response, Refusal{406, "not-acceptable", "None of the accepted types is on offer."},
-            exchange.request_id);
-    }
-    send_file(jobs, std::string(offers[*chosen].file), request, response, exchange);
+    const auto chosen = choose_type(request, response, types, exchange.request_id);
+    if (!chosen) return;
+    send_file(context, std::string(offers[*chosen].file), request, response, exchange);
 }
 
 }  // namespace
 
-void add_result_routes(Router& router, const JobService& jobs) {
+void add_result_routes(Router& router, const JobService& jobs, ImageWork& images) {
+    const ResultContext context{jobs, images};
     for (const NamedResult& result : kNamed) {
         router.get(job_path(result.path),
-                   [&jobs, file = std::string(result.file)](
+                   [context, file = std::string(result.file)](
                        const Request& request, Response& response, Exchange& exchange) {
-                       send_file(jobs, file, request, response, exchange);
+                       send_file(context, file, request, response, exchange);
                    });
     }
     router.get(job_path("/image"),
-               [&jobs](const Request& request, Response& response, Exchange& exchange) {
-                   send_negotiated(jobs, kImageOffers, request, response, exchange);
+               [context](const Request& request, Response& response, Exchange& exchange) {
+                   send_negotiated(context, kImageOffers, request, response, exchange);
                });
     router.get(job_path("/error"),
-               [&jobs](const Request& request, Response& response, Exchange& exchange) {
-                   send_negotiated(jobs, kErrorOffers, request, response, exchange);
+               [context](const Request& request, Response& response, Exchange& exchange) {
+                   send_negotiated(context, kErrorOffers, request, response, exchange);
                });
 }
 

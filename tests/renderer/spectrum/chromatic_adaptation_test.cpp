@@ -44,5 +44,20 @@ TEST(ChromaticAdaptation, BradfordIsThatOfTheProfiles) {
         for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(m[i][j], expected[i][j], 2e-4);
 }
 
+// Bradford's second response to light of 700 nm is -0.7502 x 0.7347 / 0.2653 + 1.7135 < 0: scaling
+// it to that of a white would turn colours into their opposites.
+TEST(ChromaticAdaptation, TakesOnlyForWhiteWhatAllConesSee) {
+    for (const Adaptation method : kMethods) {
+        EXPECT_TRUE(can_be_white(method, kA));
+        EXPECT_TRUE(can_be_white(method, kD50));
+        EXPECT_FALSE(can_be_white(method, {0.3, 0}));
+        EXPECT_FALSE(can_be_white(method, {0.7, 0.1}));  // beyond the purples
+    }
+    EXPECT_FALSE(can_be_white(Adaptation::Bradford, {0.1566, 0.0177}));  // 450 nm
+    EXPECT_TRUE(can_be_white(Adaptation::Cat16, {0.1566, 0.0177}));
+    EXPECT_FALSE(can_be_white(Adaptation::Bradford, {0.7347, 0.2653}));
+    EXPECT_TRUE(can_be_white(Adaptation::None, {0.7347, 0.2653}));
+}
+
 }  // namespace
 }  // namespace bouguer::renderer

@@ -79,8 +79,8 @@ TEST(CommandLine, ReadsRender) {
     EXPECT_EQ(render.overrides.seconds, 1.5);
     EXPECT_EQ(render.overrides.error, 0.01);
     EXPECT_EQ(render.overrides.seed, 5U);
-    EXPECT_EQ(render.overrides.exposure, "2");
-    EXPECT_EQ(render.overrides.color_space, "xyz");
+    EXPECT_EQ(render.overrides.output.at("exposure"), "2");
+    EXPECT_EQ(render.overrides.output.at("color_space"), "xyz");
     EXPECT_EQ(render.overrides.resolution, "64x48");
     EXPECT_EQ(render.overrides.wavelength_step, 10);
     EXPECT_EQ(render.overrides.max_depth, 3);
@@ -93,6 +93,13 @@ TEST(CommandLine, WhatIsNotSaidIsNotOverridden) {
 TEST(CommandLine, ReadsTheOthers) {
     EXPECT_EQ(options<ValidateOptions>({"validate", "s.json"}).document, "s.json");
     EXPECT_TRUE(options<PlanOptions>({"plan", "s.json", "--json"}).json);
+    const auto compare = options<CompareOptions>(
+        {"compare", "a.exr", "b.png", "-o", "m.png", "--json", "--white", "A", "--exposure", "2"});
+    EXPECT_EQ(compare.a, "a.exr");
+    EXPECT_EQ(compare.b, "b.png");
+    EXPECT_EQ(compare.map, "m.png");
+    EXPECT_TRUE(compare.json);
+    EXPECT_EQ(compare.output, (api::OutputTexts{{"exposure", "2"}, {"white", "A"}}));
     (void)options<VersionOptions>({"--version"});
 }
 
@@ -109,6 +116,8 @@ TEST(CommandLine, BadUsageIsExitCode2) {
         {"render", "s.json", "-o", "a.png", "--wavelength-step", "0"},
         {"serve", "--threads", "-1"},
         {"validate"},
+        {"compare", "a.exr"},
+        {"compare", "a.exr", "b.exr", "--gamut", "clip"},
         {"serve", "validate"},
     };
     for (const auto& line : lines) {

@@ -45,9 +45,10 @@ TEST_F(DocumentTest, OverridesWhatTheDocumentSays) {
     overrides.integrator = "rgb";
     overrides.seconds = 2.5;
     overrides.seed = 77;
-    overrides.display = "lee-9300k";
-    overrides.exposure = "0.5";
-    overrides.color_space = "xyz";
+    overrides.output["display"] = "lee-9300k";
+    overrides.output["exposure"] = "0.5";
+    overrides.output["color_space"] = "xyz";
+    overrides.output["white"] = "A";
     overrides.resolution = "10x20";
     overrides.wavelength_step = 20;
     overrides.max_depth = 2;
@@ -59,6 +60,7 @@ TEST_F(DocumentTest, OverridesWhatTheDocumentSays) {
     EXPECT_EQ(job->output.display, "lee-9300k");
     EXPECT_EQ(job->output.exposure, 0.5);
     EXPECT_EQ(job->output.exr_colour, renderer::FileColour::Xyz);
+    EXPECT_EQ(job->output.adaptation, renderer::Adaptation::Cat16);
     EXPECT_EQ(job->settings.resolution, (renderer::Resolution{10, 20}));
     EXPECT_EQ(job->settings.wavelength_step_nm, 20);
     EXPECT_EQ(job->settings.max_depth, 2);
@@ -86,9 +88,12 @@ TEST_F(DocumentTest, RefusesEveryOverrideThatDoesNotFit) {
         EXPECT_EQ(applied.error().problems.at(0).pointer, "--resolution");
     }
     Overrides two;
-    two.display = "tv";
-    two.exposure = "bright";
-    EXPECT_EQ(apply_overrides(*job, two).error().problems.size(), 2U);
+    two.output["display"] = "tv";
+    two.output["exposure"] = "bright";
+    two.output["color_space"] = "srgb";
+    const auto refused = apply_overrides(*job, two);
+    ASSERT_EQ(refused.error().problems.size(), 3U);
+    EXPECT_EQ(refused.error().problems[2].pointer, "--color-space");
 }
 
 TEST(PrintError, NamesEveryProblem) {

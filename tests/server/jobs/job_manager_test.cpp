@@ -5,6 +5,7 @@
 
 #include <thread>
 
+#include "server/jobs/job_film.h"
 #include "server/log.h"
 #include "server/storage/memory_job_store.h"
 #include "server/storage/memory_result_store.h"
@@ -98,6 +99,40 @@ TEST_F(JobManagerTest, GivesTheSameBytesForAnyNumberOfThreads) {
         if (exr.empty()) exr = file->bytes;
         EXPECT_EQ(file->bytes, exr) << threads << " threads";
     }
+}
+
+// The whole way: what is kept of a job shows it as if it had been rendered so.
+TEST_F(JobManagerTest, ShowsAJobAgainAsIfRenderedSo) {
+    const auto manager = start();
+    const auto job = [](const std::string& more) {
+        return small_job(4, R"(,"output":{"color_space":"xyz")" + more + "}");
+    };
+    const JobId plain = submit(*manager, job(""));
+    const JobId otherwise = submit(
+        *manager,
+        job(R"(,"display":"display-p3","exposure":2,"adaptation":"bradford","gamut":"desaturate")"));
+    wait_for_end(*manager, plain);
+    wait_for_end(*manager, otherwise);
+    const auto again = image_anew(*manager, plain, "image.png",
+                                  {{"display", "display-p3"},
+                                   {"exposure", "2"},
+                                   {"adaptation", "bradford"},
+                                   {"gamut", "desaturate"}});
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->bytes, manager->file(otherwise, "image.png")->bytes);
+    EXPECT_TRUE(again->final);
+}
+
+TEST_F(JobManagerTest, ShowsTheNewestPassOfARunningJobOtherwise) {
+    const auto manager = start();
+    const JobId id = submit(*manager, endless_job());
+    EXPECT_FALSE(image_anew(*manager, id, "image.png", {{"exposure", "2"}}) &&
+                 manager->find(id)->images.empty());
+    wait_for_picture(*manager, id);
+    const auto again = image_anew(*manager, id, "image.png", {{"exposure", "2"}});
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_FALSE(again->final);
+    EXPECT_TRUE(image_anew(*manager, id, "image.exr", {{"color_space", "acescg"}}));
 }
 
 TEST_F(JobManagerTest, RefusesBadDocumentsAndStoresNothing) {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/http/query.h"
+
+namespace bouguer::server {
+namespace {
+
+constexpr std::string_view kOnlyForBrowsers = "v";
+
+Error invalid_query(std::vector<Problem> problems) {
+    return {.kind = ErrorKind::InvalidInput,
+            .message = "The query is not acceptable.",
+            .problems = std::move(problems),
+            .code = "invalid-query"};
+}
+
+std::string about(std::string_view name) { return "query parameter " + std::string(name); }
+
+}  // namespace
+
+Error bad_parameter(const std::string& name, std::string code, std::string found,
+                    std::string allowed) {
+    return invalid_query({{.pointer = "",
+                           .code = std::move(code),
+                           .detail = about(name) + " is not acceptable",
+                           .found = std::move(found),
+                           .allowed = std::move(allowed)}});
+}
+
+Error bad_query(Error error) {
+    for (Problem& problem : error.problems) {
+        // "/white/0": the parameter is the first token
+        const std::size_t end = std::min(problem.pointer.find('/', 1), problem.pointer.size());
+        problem.detail = about(problem.pointer.substr(1, end - 1)) + ": " + problem.detail;
+        problem.pointer.clear();
+    }
+    return invalid_query(std::move(error.problems));
+}
+
+Result<std::map<std::string, std::string>> query_of(const httplib::Request& request) {
+    std::map<std::string, std::string> query;
+    for (const auto& [name, text] : request.params) {
+        if (name == kOnlyForBrowsers) continue;
+        if (!query.emplace(name, text).second) {
+            return tl::unexpected(bad_parameter(name, "duplicate-key", text, "one value"));
+        }
+    }
+    return query;
+}
+
+Result<std::string> take_required(std::map<std::string, std::string>& query,
+                                  const std::string& name, const std::string& allowed) {
+    auto taken = query.extract(name);
+    if (taken.empty()) return tl::unexpected(bad_parameter(name, "missing", "", allowed));
+    return std::move(taken.mapped());
+}
+
+}  // namespace bouguer::server
