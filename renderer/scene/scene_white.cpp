@@ -9,17 +9,29 @@ namespace {
 
 constexpr double kSameColour = 1e-6;
 
+/// What the surfaces of objects give out by themselves.
+void add_emission(const SceneDescription& scene, std::vector<SpectrumPtr>& spectra) {
+    std::vector<bool> is_seen(scene.materials.size());
+    for (const ObjectDescription& object : scene.objects) {
+        if (is_seen[object.material]) continue;
+        is_seen[object.material] = true;
+        for (SpectrumPtr& part : scene.materials[object.material].emission.parts())
+            spectra.push_back(std::move(part));
+    }
+}
+
 /// Of everything that gives light; some may be null.
-std::vector<const Spectrum*> light_spectra(const SceneDescription& scene) {
-    std::vector<const Spectrum*> spectra;
+std::vector<SpectrumPtr> light_spectra(const SceneDescription& scene) {
+    std::vector<SpectrumPtr> spectra;
     for (const LightDescription& light : scene.lights) {
         if (const auto* point = std::get_if<PointLight>(&light))
-            spectra.push_back(point->intensity.get());
+            spectra.push_back(point->intensity);
         if (const auto* directional = std::get_if<DirectionalLight>(&light))
-            spectra.push_back(directional->irradiance.get());
+            spectra.push_back(directional->irradiance);
     }
-    if (scene.environment) spectra.push_back(scene.environment->radiance.get());
-    if (scene.ambient) spectra.push_back(scene.ambient->illuminant.get());
+    if (scene.environment) spectra.push_back(scene.environment->radiance);
+    if (scene.ambient) spectra.push_back(scene.ambient->illuminant);
+    add_emission(scene, spectra);
     return spectra;
 }
 
@@ -31,8 +43,8 @@ bool are_same(Chromaticity a, Chromaticity b) {
 
 std::optional<Chromaticity> scene_white(const SceneDescription& scene) {
     std::optional<Chromaticity> white;
-    const Spectrum* last = nullptr;
-    for (const Spectrum* spectrum : light_spectra(scene)) {
+    SpectrumPtr last;
+    for (const SpectrumPtr& spectrum : light_spectra(scene)) {
         if (spectrum == nullptr || spectrum == last) continue;
         last = spectrum;
         const Chromaticity colour = chromaticity(xyz_of(*spectrum));

@@ -10,9 +10,9 @@
 namespace bouguer::renderer {
 
 /// The chromaticity of the scene's light by the CIE 1931 observer, if everything that gives light
-/// (lamps, environment, illuminant of the ambient light) has the same to 1e-6, however bright.
-/// Empty: the scene is dark, or its lights differ in colour. Sources that give no visible light,
-/// and those without a spectrum, do not count. Thread-safe.
+/// (lamps, environment, illuminant of the ambient light, surfaces) has the same to 1e-6, however
+/// bright. Empty: the scene is dark, or its lights differ in colour. Sources that give no visible
+/// light, and those without a spectrum, do not count. Thread-safe.
 [[nodiscard]] std::optional<Chromaticity> scene_white(const SceneDescription& scene);
 
 }  // namespace bouguer::renderer

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server/http/query.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace bouguer::server {
 namespace {
 

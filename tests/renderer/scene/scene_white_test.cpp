@@ -41,6 +41,13 @@ TEST(SceneWhite, SeesEveryKindOfLight) {
     scene = lit_by({kA});
     scene.ambient = AmbientDescription{0.3, HemisphereWeights{}, kD65};
     EXPECT_FALSE(scene_white(scene));
+    scene = lit_by({kA});
+    scene.materials.push_back({"lamp", HallMaterial{}, kD65});
+    EXPECT_TRUE(scene_white(scene)) << "no object is of this material";
+    scene.objects.emplace_back();
+    EXPECT_FALSE(scene_white(scene));
+    scene.objects.clear();
+    scene.ambient = AmbientDescription{};
     scene.ambient->illuminant = nullptr;  // then it is the lamps' light
     EXPECT_TRUE(scene_white(scene));
 }
