@@ -104,8 +104,8 @@ TEST_F(ImageQueryTest, RefusalsNameParameterValueAndWhatIsAllowed) {
     const auto refused = png("exposure=-1&display=tv&brightness=2");
     EXPECT_TRUE(is_problem(refused, 422, "invalid-query")) << refused.body;
     for (const char* part :
-         {"query parameter exposure", R"("found":"\"-1\"")", "(0, 1e+30]", "query parameter display",
-          "display-p3", "query parameter brightness", "unknown-key"}) {
+         {"query parameter exposure", R"("found":"\"-1\"")", "(0, 1e+30]",
+          "query parameter display", "display-p3", "query parameter brightness", "unknown-key"}) {
         EXPECT_NE(refused.body.find(part), std::string::npos) << part << " in " << refused.body;
     }
     for (const char* query : {"exposure=1&exposure=2", "color_space=xyz", "white=", "exposure",
