@@ -35,11 +35,15 @@ std::optional<NamedAsset> named_by_digest(const JsonValue& at, const Limits& lim
     auto digest = at.text(limits.name_bytes);
     if (!digest) return std::nullopt;
     if (is_digest(*digest)) return NamedAsset{at, *std::move(digest)};
-    at.report("bad-format", "this is no digest", "\"sha256-\" and 64 digits of 0-9 and a-f");
+    report_no_digest(at);
     return std::nullopt;
 }
 
 }  // namespace
+
+void report_no_digest(const JsonValue& value) {
+    value.report("bad-format", "this is no digest", "\"sha256-\" and 64 digits of 0-9 and a-f");
+}
 
 std::optional<NamedAsset> require_asset(JsonReader& reader, const Limits& limits) {
     const auto asset = reader.find("asset");

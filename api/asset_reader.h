@@ -22,6 +22,9 @@ struct NamedAsset {
 /// that leads out of the folder, no digest.
 [[nodiscard]] std::optional<NamedAsset> require_asset(JsonReader& reader, const Limits& limits);
 
+/// Reports that the text at `value` is no digest.
+void report_no_digest(const JsonValue& value);
+
 /// Reports at the name why the file cannot be used. Problems without a code of their own get
 /// `code`; `allowed` is what would be accepted. Errors that are not the document's end the reading.
 void report_asset(const NamedAsset& asset, const Error& error, std::string_view code,

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Submits a scene or a job to a Bouguer daemon, follows its events and saves what comes of it.
+"""Submits a scene or a job to a Bouguer daemon, follows its events and saves what comes of it. Meshes and pictures that it
+names by a path beside it are uploaded first, as far as the daemon lacks them.
 
     client-examples/submit.py client-examples/scenes/amber-ball.json --samples 64 --out amber
 
@@ -8,6 +9,7 @@ Standard library only. Exit code 1 when the job is refused or does not end well.
 """
 
 import argparse
+import hashlib
 import json
 import pathlib
 import sys
@@ -16,9 +18,12 @@ import urllib.error
 import urllib.request
 
 
-def call(url, body=None, headers=None):
+JSON = {"Content-Type": "application/json"}
+
+
+def call(url, body=None, headers=None, method=None):
     """The bytes of an answer; a refusal is shown with every problem and ends the program."""
-    request = urllib.request.Request(url, data=body, headers=headers or {})
+    request = urllib.request.Request(url, data=body, headers=headers or {}, method=method)
     try:
         with urllib.request.urlopen(request, timeout=60) as response:
             return response.read()
@@ -28,6 +33,31 @@ def call(url, body=None, headers=None):
         for error in problem.get("errors", []):
             print(f"  {error.get('pointer') or '(document)'}: {error.get('detail')}", file=sys.stderr)
         sys.exit(1)
+
+
+def name_by_digest(scene, folder):
+    """Names the files in `folder` that the scene names by a path by their digests instead; returns {digest: file}."""
+    files = {}
+    shapes = [thing["shape"] for thing in scene.get("objects", []) if thing.get("shape", {}).get("type") == "file"]
+    images = [texture for texture in scene.get("textures", {}).values() if texture.get("type") == "image"]
+    for thing in shapes + images:
+        file = folder / thing.get("path", "")
+        if file.is_file():
+            thing["asset"] = "sha256-" + hashlib.sha256(file.read_bytes()).hexdigest()
+            del thing["path"]
+            files[thing["asset"]] = file
+    return files
+
+
+def upload(url, files):
+    """Puts what the daemon does not have yet."""
+    if not files:
+        return
+    question = json.dumps({"digests": list(files)}).encode()
+    for digest in json.loads(call(f"{url}/v1/assets/missing", question, JSON))["missing"]:
+        call(f"{url}/v1/assets/{digest}", files[digest].read_bytes(),
+             {"Content-Type": "application/octet-stream"}, "PUT")
+        print("uploaded", files[digest].name)
 
 
 def events(url):
@@ -87,8 +117,8 @@ def main():
     if job.get("format") == "bouguer-scene/1":
         job = {"format": "bouguer-job/1", "scene": job,
                "integrator": {"type": arguments.integrator}, "stop": {"samples": arguments.samples}}
-    answer = json.loads(call(f"{arguments.url}/v1/jobs", json.dumps(job).encode(),
-                             {"Content-Type": "application/json"}))
+    upload(arguments.url, name_by_digest(job.get("scene", {}), arguments.document.parent))
+    answer = json.loads(call(f"{arguments.url}/v1/jobs", json.dumps(job).encode(), JSON))
     where = f"{arguments.url}/v1/jobs/{answer['id']}"
     print("job", answer["id"])
 

@@ -98,7 +98,7 @@ void add_serve(CLI::App& app, ServeOptions& o) {
         ->type_name("DIR")
         ->capture_default_str();
     app.add_option("--assets", o.assets,
-                   "folder of the mesh files that scenes name; DATA/assets "
+                   "folder of the files that scenes name by a path; DATA/assets "
                    "by default")
         ->type_name("DIR");
     add_threads(app, o.threads);

@@ -16,6 +16,7 @@
 #include "server/log.h"
 #include "server/storage/durable_file.h"
 #include "server/storage/folder_asset_source.h"
+#include "server/storage/folder_asset_store.h"
 #include "server/storage/folder_result_store.h"
 #include "server/storage/sqlite_job_store.h"
 
@@ -69,6 +70,7 @@ void log_request(const AccessRecord& record) {
 struct Daemon {
     std::unique_ptr<SqliteJobStore> jobs;
     std::unique_ptr<FolderResultStore> results;
+    std::unique_ptr<FolderAssetStore> uploads;
     std::unique_ptr<FolderAssetSource> assets;
     std::unique_ptr<JobManager> manager;
     std::unique_ptr<HttpServer> http;
@@ -92,7 +94,11 @@ Result<Daemon> start(const ServeOptions& options, const ListenAddress& address) 
     auto results = FolderResultStore::open(options.data / "results");
     if (!results) return tl::unexpected(results.error());
     daemon.results = std::move(*results);
-    daemon.assets = std::make_unique<FolderAssetSource>(assets);
+    const fs::path uploads = options.data / "assets";
+    auto store = FolderAssetStore::open(uploads);
+    if (!store) return tl::unexpected(store.error());
+    daemon.uploads = std::move(*store);
+    daemon.assets = std::make_unique<FolderAssetSource>(assets, uploads);
     daemon.manager = std::make_unique<JobManager>(*daemon.jobs, *daemon.results, *daemon.assets,
                                                   manager_options(options));
     if (auto started = daemon.manager->start(); !started) return tl::unexpected(started.error());
@@ -100,7 +106,7 @@ Result<Daemon> start(const ServeOptions& options, const ListenAddress& address) 
     http.host = address.host;
     http.port = address.port;
     http.cors_origins = options.cors_origins;
-    auto server = HttpServer::start(*daemon.manager, http, log_request);
+    auto server = HttpServer::start(*daemon.manager, *daemon.uploads, http, log_request);
     if (!server) return tl::unexpected(server.error());
     daemon.http = std::move(*server);
     return daemon;

@@ -62,7 +62,8 @@ struct Connection {
     std::string in;              ///< bytes received and not yet taken
     std::string out;             ///< bytes to be sent, from `sent` on
     std::size_t sent = 0;
-    std::size_t reserved = 0;  ///< of the budget for bodies and answers
+    std::size_t reserved = 0;  ///< of a budget for bodies and answers
+    bool is_upload = false;    ///< whether that is the budget of uploads
     bool close_after = false;  ///< the connection ends when `out` is sent
     int requests = 0;
     std::unique_ptr<Exchange> parked;

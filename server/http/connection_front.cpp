@@ -248,8 +248,12 @@ bool ConnectionFront::read_some(Connection& c) {
 
 void ConnectionFront::on_head(Connection& c) {
     const std::size_t size = c.reader.expected_body();
-    if (reserved_ + size > options_.limits.buffered_bytes) return refuse(c, kOverloaded);
-    reserve(c, size);
+    // Uploads have a budget of their own, so that slow ones hold up nothing but each other.
+    const bool is_upload = c.reader.head().is_upload();
+    const bool has_room = is_upload ? uploading_ + size <= options_.limits.upload_bytes
+                                    : reserved_ + size <= options_.limits.buffered_bytes;
+    if (!has_room) return refuse(c, kOverloaded);
+    is_upload ? reserve_upload(c, size) : reserve(c, size);
     c.deadline = Clock::now() + transfer_time(size, options_.deadlines);
     if (c.reader.state() == RequestReader::State::Body && c.reader.head().expects_continue) {
         // the socket's buffer is empty between requests: these few bytes fit
@@ -366,8 +370,17 @@ void ConnectionFront::resume(Connection& c) {
 }
 
 void ConnectionFront::reserve(Connection& c, std::size_t bytes) {
-    reserved_ += bytes - c.reserved;
+    (c.is_upload ? uploading_ : reserved_) -= c.reserved;
+    reserved_ += bytes;
     c.reserved = bytes;
+    c.is_upload = false;
+}
+
+void ConnectionFront::reserve_upload(Connection& c, std::size_t bytes) {
+    reserve(c, 0);
+    uploading_ += bytes;
+    c.reserved = bytes;
+    c.is_upload = true;
 }
 
 std::string ConnectionFront::new_request_id() {

@@ -71,6 +71,7 @@ class ConnectionFront {
     void park(Connection& c, std::unique_ptr<Exchange> exchange);
     void resume(Connection& c);
     void reserve(Connection& c, std::size_t bytes);
+    void reserve_upload(Connection& c, std::size_t bytes);
     [[nodiscard]] std::string new_request_id();
     [[nodiscard]] std::unique_ptr<Exchange> new_exchange(Connection& c);
     void log(const Exchange& exchange) const;
@@ -92,7 +93,8 @@ class ConnectionFront {
     bool drain_begun_ = false;
     std::uint64_t next_id_ = 2;  ///< 0 and 1 are the listener and the mailbox
     std::uint64_t request_salt_ = 0, request_count_ = 0;
-    std::size_t reserved_ = 0;  ///< bytes of bodies and answers
+    std::size_t reserved_ = 0;   ///< bytes of bodies and answers but those of uploads
+    std::size_t uploading_ = 0;  ///< bytes of the bodies of uploads
 
     HandlerPool pool_;
     std::thread thread_;

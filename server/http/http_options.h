@@ -14,12 +14,14 @@ namespace bouguer::server {
 /// Bounds on what one client, or all together, may make the daemon hold. Each has a test that hits
 /// it.
 struct HttpLimits {
-    std::size_t head_bytes = 16U << 10U;  ///< request line and header fields together; beyond: 431
-    std::size_t header_fields = 100;      ///< beyond: 431
-    std::size_t target_bytes = 2048;      ///< path and query; beyond: 414
-    std::size_t body_bytes = 8U << 20U;   ///< after removal of the chunked coding; beyond: 413
-    std::size_t buffered_bytes = 512U << 20U;  ///< bodies and answers of all clients; beyond: 503
-    std::size_t waiting_requests = 1024;       ///< for a handler thread; beyond: 503
+    std::size_t head_bytes = 16U << 10U;   ///< request line and header fields together; beyond: 431
+    std::size_t header_fields = 100;       ///< beyond: 431
+    std::size_t target_bytes = 2048;       ///< path and query; beyond: 414
+    std::size_t body_bytes = 8U << 20U;    ///< after removal of the chunked coding; beyond: 413
+    std::size_t asset_bytes = 64U << 20U;  ///< the same, of an uploaded file
+    std::size_t upload_bytes = 256U << 20U;       ///< bodies of uploads of all clients; beyond: 503
+    std::size_t buffered_bytes = 512U << 20U;     ///< other bodies and answers of all clients; 503
+    std::size_t waiting_requests = 1024;          ///< for a handler thread; beyond: 503
     std::size_t event_buffer_bytes = 64U << 10U;  ///< unsent events of a client; beyond: dropped
     int requests_per_connection = 10'000;
 };

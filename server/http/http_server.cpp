@@ -7,6 +7,7 @@
 #include "server/http/event_hub.h"
 #include "server/http/image_work.h"
 #include "server/http/router.h"
+#include "server/http/routes/asset_routes.h"
 #include "server/http/routes/compare_routes.h"
 #include "server/http/routes/event_routes.h"
 #include "server/http/routes/health_routes.h"
@@ -20,9 +21,10 @@ namespace bouguer::server {
 
 class HttpServer::Impl {
   public:
-    Impl(JobService& jobs, const HttpOptions& options, const AccessLog& log, Listener listener)
+    Impl(JobService& jobs, AssetStore& assets, const HttpOptions& options, const AccessLog& log,
+         Listener listener)
         : deadlines_(options.deadlines),
-          router_(make_router(jobs, options, images_)),
+          router_(make_router(jobs, assets, options, images_)),
           hub_(options, log),
           front_(std::move(listener), options,
                  {.handle = [this](Exchange& exchange) { router_->handle(exchange); },
@@ -43,14 +45,15 @@ class HttpServer::Impl {
     }
 
   private:
-    static std::unique_ptr<Router> make_router(JobService& jobs, const HttpOptions& options,
-                                               ImageWork& images) {
+    static std::unique_ptr<Router> make_router(JobService& jobs, AssetStore& assets,
+                                               const HttpOptions& options, ImageWork& images) {
         auto router = std::make_unique<Router>(options.cors_origins);
         add_health_routes(*router, jobs);
         add_job_routes(*router, jobs, options.deadlines);
         add_event_routes(*router, jobs, options);
         add_result_routes(*router, jobs, images);
         add_compare_routes(*router, jobs, images);
+        add_asset_routes(*router, assets);
         add_scene_routes(*router, jobs);
         add_library_routes(*router);
         add_web_routes(*router);
@@ -67,12 +70,12 @@ class HttpServer::Impl {
 HttpServer::HttpServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 HttpServer::~HttpServer() = default;
 
-Result<std::unique_ptr<HttpServer>> HttpServer::start(JobService& jobs, HttpOptions options,
-                                                      AccessLog log) {
+Result<std::unique_ptr<HttpServer>> HttpServer::start(JobService& jobs, AssetStore& assets,
+                                                      HttpOptions options, AccessLog log) {
     auto listener = Listener::open(options.host, options.port);
     if (!listener) return tl::unexpected(listener.error());
     return std::unique_ptr<HttpServer>(
-        new HttpServer(std::make_unique<Impl>(jobs, options, log, std::move(*listener))));
+        new HttpServer(std::make_unique<Impl>(jobs, assets, options, log, std::move(*listener))));
 }
 
 int HttpServer::port() const { return impl_->port(); }

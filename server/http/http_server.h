@@ -7,15 +7,17 @@
 #include "renderer/core/result.h"
 #include "server/http/http_options.h"
 #include "server/jobs/job_service.h"
+#include "server/storage/asset_store.h"
 
 namespace bouguer::server {
 
 /// Serves the API, the documentation and the web page from the moment it is made. Thread-safe.
 class HttpServer {
   public:
-    /// Binds and starts. `jobs` outlives the server. Error{Internal} when the address cannot be
-    /// bound.
+    /// Binds and starts. `jobs` and `assets` outlive the server. Error{Internal} when the address
+    /// cannot be bound.
     [[nodiscard]] static Result<std::unique_ptr<HttpServer>> start(JobService& jobs,
+                                                                   AssetStore& assets,
                                                                    HttpOptions options,
                                                                    AccessLog log);
     /// Stops at once; call drain() first to be polite.

@@ -124,7 +124,7 @@ std::optional<Refusal> parse_content_length(const std::string& text, const HttpL
     if (text.empty() || stop != end || error == std::errc::invalid_argument) {
         return Refusal{400, "malformed-request", "Content-Length is no number."};
     }
-    if (error == std::errc::result_out_of_range || head.content_length > limits.body_bytes) {
+    if (error == std::errc::result_out_of_range || head.content_length > head.body_limit(limits)) {
         return Refusal{413, "content-too-large", "The body is larger than allowed."};
     }
     return std::nullopt;
@@ -188,6 +188,8 @@ const std::string* RequestHead::find(std::string_view name) const {
 std::string_view RequestHead::path() const {
     return std::string_view(target).substr(0, target.find('?'));
 }
+
+bool RequestHead::is_upload() const { return method == "PUT" && path().starts_with("/v1/assets/"); }
 
 tl::expected<RequestHead, Refusal> parse_head(std::string_view text, const HttpLimits& limits) {
     RequestHead head;

@@ -39,6 +39,12 @@ struct RequestHead {
     [[nodiscard]] const std::string* find(std::string_view name) const;
     /// The target up to the query.
     [[nodiscard]] std::string_view path() const;
+    /// Whether the body is a file that is put among the assets: these may be larger than documents.
+    [[nodiscard]] bool is_upload() const;
+    /// The most bytes that the body may have.
+    [[nodiscard]] std::size_t body_limit(const HttpLimits& limits) const {
+        return is_upload() ? limits.asset_bytes : limits.body_bytes;
+    }
 };
 
 /// Whether two ASCII strings differ only in case.

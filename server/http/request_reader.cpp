@@ -11,7 +11,8 @@ RequestReader::State RequestReader::refuse(const Refusal& refusal) {
 }
 
 std::size_t RequestReader::expected_body() const {
-    return head_.chunked ? limits_->body_bytes : static_cast<std::size_t>(head_.content_length);
+    return head_.chunked ? head_.body_limit(*limits_)
+                         : static_cast<std::size_t>(head_.content_length);
 }
 
 RequestReader::State RequestReader::feed(std::string& in) {
@@ -38,6 +39,7 @@ RequestReader::State RequestReader::read_head(std::string& in) {
     if (!head) return refuse(head.error());
     in.erase(0, end + 4);
     head_ = std::move(*head);
+    chunks_ = ChunkedDecoder(head_.body_limit(*limits_));
     return state_ = State::Body;
 }
 

@@ -39,7 +39,10 @@ bool is_consumed(std::string_view name) {
 void fill_request(Exchange& exchange, httplib::Request& request) {
     request.headers.clear();
     for (HeaderField& field : exchange.head.fields) {
-        if (!is_consumed(field.name)) request.headers.emplace(field.name, field.value);
+        if (is_consumed(field.name)) continue;
+        // of an upload the type does not count, and the library would take it for a form
+        if (exchange.head.is_upload() && equal_ignoring_case(field.name, "Content-Type")) continue;
+        request.headers.emplace(field.name, field.value);
     }
     request.headers.emplace("Content-Length", "0");
     request.body = std::move(exchange.body);
@@ -102,6 +105,9 @@ void Router::get(const std::string& pattern, Handler handler) {
 void Router::post(const std::string& pattern, Handler handler) {
     engine_.Post(pattern, remember("POST", pattern, std::move(handler)));
 }
+void Router::put(const std::string& pattern, Handler handler) {
+    engine_.Put(pattern, remember("PUT", pattern, std::move(handler)));
+}
 void Router::del(const std::string& pattern, Handler handler) {
     engine_.Delete(pattern, remember("DELETE", pattern, std::move(handler)));
 }
@@ -151,7 +157,7 @@ bool Router::before_routing(const httplib::Request& request, httplib::Response& 
         if (allowed.empty() && request.path != "*") return false;
         response.status = 204;
         response.set_header("Allow",
-                            allowed.empty() ? "GET, HEAD, POST, DELETE, OPTIONS" : allowed);
+                            allowed.empty() ? "GET, HEAD, POST, PUT, DELETE, OPTIONS" : allowed);
         return true;
     }
     if (!changes_something(request.method)) return false;
@@ -160,7 +166,8 @@ bool Router::before_routing(const httplib::Request& request, httplib::Response& 
         send_problem(response, kForeignOrigin, id);
         return true;
     }
-    if (!request.body.empty() && !is_json_type(request.get_header_value("Content-Type"))) {
+    if (request.method != "PUT" && !request.body.empty() &&
+        !is_json_type(request.get_header_value("Content-Type"))) {
         send_problem(response, kWrongType, id);
         return true;
     }
@@ -202,7 +209,7 @@ void Router::finish(const httplib::Request& request, httplib::Response& response
     replace_header(response, "Access-Control-Expose-Headers",
                    "Location, Retry-After, ETag, Link, X-Request-Id, Idempotent-Replayed");
     if (request.method != "OPTIONS") return;
-    replace_header(response, "Access-Control-Allow-Methods", "GET, HEAD, POST, DELETE");
+    replace_header(response, "Access-Control-Allow-Methods", "GET, HEAD, POST, PUT, DELETE");
     replace_header(response, "Access-Control-Allow-Headers",
                    "Content-Type, Idempotency-Key, If-None-Match, Prefer, X-Request-Id");
     replace_header(response, "Access-Control-Max-Age", "600");

@@ -28,6 +28,8 @@ class Router {
     /// `pattern`: a regular expression (ECMAScript) for the whole path. GET routes serve HEAD too.
     void get(const std::string& pattern, Handler handler);
     void post(const std::string& pattern, Handler handler);
+    /// The body may be of any media type: what is put is judged by its content.
+    void put(const std::string& pattern, Handler handler);
     void del(const std::string& pattern, Handler handler);
 
     /// Answers `exchange`: an answer, a stream or a wait. Never throws.

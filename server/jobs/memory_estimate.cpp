@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server/jobs/memory_estimate.h"
 
+#include <set>
+
 #include "renderer/film/film.h"
 
 namespace bouguer::server {
@@ -15,10 +17,23 @@ constexpr std::uint64_t kFixedBytes = 1U << 20U;
 /// The newest picture, a copy on its way out, and its files.
 constexpr std::uint64_t kPictureBytes = 4 * 3 * sizeof(float);
 
+/// Of every texture once, however many surfaces have it.
+std::uint64_t texture_memory_bytes(const renderer::SceneDescription& scene) {
+    std::set<renderer::TexturePtr> textures;
+    for (const renderer::MaterialDescription& material : scene.materials) {
+        for (const auto& colour : needs_of(material).colours) textures.insert(colour.texture);
+        textures.insert(material.emission.texture);
+    }
+    textures.erase(nullptr);
+    std::uint64_t bytes = 0;
+    for (const renderer::TexturePtr& texture : textures) bytes += texture->memory_bytes();
+    return bytes;
+}
+
 }  // namespace
 
 std::uint64_t scene_memory_bytes(const renderer::SceneDescription& scene) {
-    std::uint64_t bytes = kFixedBytes;
+    std::uint64_t bytes = kFixedBytes + texture_memory_bytes(scene);
     for (const renderer::ObjectDescription& object : scene.objects) {
         bytes += object.placed.instances.size() * kInstanceBytes;
         const auto* mesh =

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "api/digest.h"
 #include "server/storage/durable_file.h"
 
 namespace bouguer::server {
@@ -34,7 +35,8 @@ Result<fs::path> FolderAssetSource::resolve(std::string_view name) const {
                     "bad-asset-name");
     }
     std::error_code error;
-    const fs::path root = fs::canonical(root_, error);
+    const bool is_upload = api::is_digest(name) && !uploads_.empty();
+    const fs::path root = fs::canonical(is_upload ? uploads_ : root_, error);
     const fs::path file = error ? fs::path() : fs::canonical(root / fs::path(name), error);
     // What lies outside is said to be missing, so that nobody learns what exists elsewhere.
     if (error || !contains(root, file)) {

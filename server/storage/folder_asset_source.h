@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that scenes name, below one folder.
+// The files that scenes name, below one folder or two.
 #pragma once
 
 #include <cstddef>
@@ -20,6 +20,10 @@ class FolderAssetSource final : public api::AssetSource {
                                std::size_t max_file_bytes = kMaxFileBytes)
         : root_(std::move(root)), max_file_bytes_(max_file_bytes) {}
 
+    /// Files named by a path are below `root`, those named by a digest in `uploads`.
+    FolderAssetSource(std::filesystem::path root, std::filesystem::path uploads)
+        : root_(std::move(root)), uploads_(std::move(uploads)), max_file_bytes_(kMaxFileBytes) {}
+
     /// NotFound: no such file, or not inside. TooLarge. InvalidInput: a bad name.
     [[nodiscard]] Result<std::string> read(std::string_view name) const override;
 
@@ -27,6 +31,7 @@ class FolderAssetSource final : public api::AssetSource {
     [[nodiscard]] Result<std::filesystem::path> resolve(std::string_view name) const;
 
     std::filesystem::path root_;
+    std::filesystem::path uploads_;  ///< empty: root_
     std::size_t max_file_bytes_;
 };
 

@@ -11,5 +11,6 @@ python3 make_meshes.py "$work/lee"
 python3 make_figures.py "$work/lee"
 python3 make_models.py "$work/lee"
 python3 make_colour_scenes.py "$work/colour"
+python3 make_textures.py "$work/textures"
 cd "$work"
 for made in */*; do cmp "$made" "$OLDPWD/$made"; done

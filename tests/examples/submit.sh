@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# submit.sh and submit.py render a scene over HTTP to equal pictures, and fail on a document that is refused.
+# submit.sh and submit.py render a scene over HTTP to equal pictures, and fail on a document that is refused;
+# submit.py uploads the files that a scene names.
 set -euo pipefail
 cd "$(dirname "$0")"
 bouguer=$1 examples=../../client-examples
@@ -15,6 +16,17 @@ expect_exr "$work/shell.exr"
 cmp "$work/shell.png" "$work/python.png"
 cmp "$work/shell.exr" "$work/python.exr"
 grep -q relative_rmse "$work/python.report.json"
+
+# What the scene names is uploaded the first time only.
+textures=$examples/scenes/textures/textures.json
+"$examples/submit.py" --url "$url" --samples 1 --out "$work/first" "$textures" >"$work/first.log"
+"$examples/submit.py" --url "$url" --samples 1 --out "$work/second" "$textures" >"$work/second.log"
+grep -q 'uploaded poster.png' "$work/first.log"
+if grep -q uploaded "$work/second.log"; then
+    echo "submit.py uploaded a file twice" >&2
+    exit 1
+fi
+cmp "$work/first.png" "$work/second.png"
 
 printf '{"format":"bouguer-scene/1","camera":{"type":"perspective","fov_deg":400}}' >"$work/bad.json"
 if BOUGUER_URL=$url "$examples/submit.sh" "$work/bad.json" "$work/bad" 2>"$work/refusal"; then

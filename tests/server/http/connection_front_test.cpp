@@ -262,7 +262,7 @@ TEST_F(ConnectionFrontTest, TwoServersDoNotShareAPort) {
     start();
     HttpOptions options;
     options.port = server().port();
-    const auto second = HttpServer::start(jobs, options, {});
+    const auto second = HttpServer::start(jobs, assets, options, {});
     ASSERT_FALSE(second);
     EXPECT_NE(second.error().message.find(std::to_string(options.port)), std::string::npos);
 }

@@ -8,6 +8,7 @@
 #include "server/http/http_server.h"
 #include "server/jobs/job_manager.h"
 #include "server/log.h"
+#include "server/storage/memory_asset_store.h"
 #include "server/storage/memory_job_store.h"
 #include "server/storage/memory_result_store.h"
 #include "tests/api/fake_assets.h"
@@ -36,9 +37,10 @@ TEST(MalformedDocumentsOverHttp, AreRefusedAndEndNothing) {
     const tests::FakeAssets assets;
     JobManager manager(jobs, results, assets, {.threads = 1});
     ASSERT_TRUE(manager.start());
+    MemoryAssetStore uploads;
     HttpOptions options;
     options.port = 0;
-    const auto server = HttpServer::start(manager, options, {});
+    const auto server = HttpServer::start(manager, uploads, options, {});
     ASSERT_TRUE(server) << server.error().message;
     const auto ask = [&](const std::string& method, const std::string& path,
                          const std::string& body) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/http/http_server.h"
+#include "server/storage/memory_asset_store.h"
 #include "tests/server/http/fake_job_service.h"
 #include "tests/server/http/raw_client.h"
 
@@ -18,7 +19,7 @@ class ServerTest : public ::testing::Test {
     /// Starts the server; once a test.
     void start(HttpOptions options = {}) {
         options.port = 0;
-        auto server = HttpServer::start(jobs, options, [this](const AccessRecord& record) {
+        auto server = HttpServer::start(jobs, assets, options, [this](const AccessRecord& record) {
             const std::lock_guard lock(log_mutex_);
             log_.push_back(record);
         });
@@ -46,6 +47,7 @@ class ServerTest : public ::testing::Test {
     }
 
     FakeJobService jobs;
+    MemoryAssetStore assets;
 
   private:
     std::mutex log_mutex_;

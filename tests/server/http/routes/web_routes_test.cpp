@@ -27,7 +27,8 @@ std::set<std::string> all_matches(const std::string& text, const std::string& pa
 
 /// A path with its {id} and {name} filled in.
 std::string with_names(const std::string& path) {
-    const std::string named = std::regex_replace(path, std::regex("\\{name\\}"), "D65");
+    std::string named = std::regex_replace(path, std::regex("\\{name\\}"), "D65");
+    named = std::regex_replace(named, std::regex("\\{digest\\}"), "sha256-" + std::string(64, '0'));
     return std::regex_replace(named, std::regex("\\{id\\}"),
                               "01890000-0000-7000-8000-000000000001");
 }
