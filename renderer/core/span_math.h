@@ -36,6 +36,13 @@ struct CacheLineAllocator {
 };
 using Float8Vector = std::vector<Float8, CacheLineAllocator<Float8>>;
 
+/// Numbers as sums: `high` has 12 bits, so that the product of two such numbers is exact; `low` is
+/// what is missing.
+struct SplitRow {
+    const Float8* high;
+    const Float8* low;
+};
+
 /// A table of rows of `width` floats each, every row padded with zeros to whole lanes and aligned
 /// for Float8. Rows stay where they are; the table is shared read-only by threads once filled.
 class SpectralTable {
@@ -44,7 +51,11 @@ class SpectralTable {
 
     /// Appends a row (at most `width` values; the rest is zero) and returns its number.
     std::size_t add(const std::vector<float>& values);
+    /// Appends `values` as two rows whose sum has some 36 bits, and returns the number of the
+    /// first: for numbers of which single precision is not enough. split_row() reads them.
+    std::size_t add_split(const std::vector<double>& values);
     [[nodiscard]] const Float8* row(std::size_t i) const { return data_.data() + i * blocks_; }
+    [[nodiscard]] SplitRow split_row(std::size_t i) const { return {row(i), row(i + 1)}; }
     [[nodiscard]] std::size_t blocks() const { return blocks_; }  ///< Float8s in a row
     [[nodiscard]] std::size_t rows() const { return data_.size() / blocks_; }
 
@@ -59,9 +70,10 @@ class SpectralTable {
 // and chosen when the program starts; the arithmetic is lane by lane and never contracted, so all
 // give the same bits.
 
-/// weight *= e^(log_t * length): Bouguer's law along a path. log_t <= 0, length >= 0. The
-/// exponential is right to 2 units in the last place of its (rounded) argument, and 0 below e^-87.
-void attenuate(Float8* weight, const Float8* log_t, float length, std::size_t blocks);
+/// weight *= e^(log_t * length): Bouguer's law along a path. log_t <= 0, length >= 0. Right to 4e-7
+/// of the result whatever the exponent: it is not rounded to single precision, where an optical
+/// depth of 50 would cost 4e-6. 0 below e^-87.
+void attenuate(Float8* weight, SplitRow log_t, double length, std::size_t blocks);
 
 /// row *= scale * factor
 void multiply(Float8* row, float scale, const Float8* factor, std::size_t blocks);

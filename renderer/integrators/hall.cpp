@@ -106,7 +106,7 @@ class HallWalk {
     void absorb(const MediumStack& media, Real b, Float8* weight) const {
         const Surface* inside = inside_of(media, tables_);
         if (inside == nullptr || !inside->log_transmittance) return;
-        attenuate(weight, tables_.row(*inside->log_transmittance), static_cast<float>(b), blocks_);
+        attenuate(weight, tables_.spectra.split_row(*inside->log_transmittance), b, blocks_);
     }
 
     // ---- local terms ----

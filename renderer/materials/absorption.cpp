@@ -9,13 +9,12 @@ namespace bouguer::renderer {
 std::size_t bind_absorption(const Absorption& absorption, const SpectralBasis& basis,
                             SpectralTable& table) {
     constexpr double kOpaque = -1e30;
-    std::vector<float> row = basis.factor(*absorption.transmittance);
-    for (float& t : row) {
-        const double log_t =
-            t > 0 ? std::log(static_cast<double>(t)) / absorption.thickness : kOpaque;
-        t = static_cast<float>(std::clamp(log_t, kOpaque, 0.0));
+    std::vector<double> logs;
+    for (const double t : basis.factor(*absorption.transmittance)) {
+        const double log_t = t > 0 ? std::log(t) / absorption.thickness : kOpaque;
+        logs.push_back(std::clamp(log_t, kOpaque, 0.0));
     }
-    return table.add(row);
+    return table.add_split(logs);
 }
 
 }  // namespace bouguer::renderer

@@ -18,8 +18,8 @@ struct Absorption {
 };
 
 /// Equation 1, T = t^b, as exp(b ln t): puts ln t for one scene unit, in [-1e30, 0], into `table`
-/// and returns the row's number. t = 0 gets a logarithm so low that any b > 0 is opaque while b = 0
-/// still gives 1.
+/// and returns the number of the split row. t = 0 gets a logarithm so low that any b > 0 is opaque
+/// while b = 0 still gives 1.
 [[nodiscard]] std::size_t bind_absorption(const Absorption& absorption, const SpectralBasis& basis,
                                           SpectralTable& table);
 

@@ -16,8 +16,8 @@ namespace {
 
 using namespace renderer;
 
-/// What is absorbed more than this is black beside what passes at other wavelengths.
-constexpr double kLeastTransmittance = 1e-2;
+/// Below, a radiance is no normal number of single precision any more.
+constexpr double kLeastTransmittance = 1e-25;
 
 /// Light of one wavelength as JSON: at 1 nm only one node sees it.
 std::string one_wavelength(int lambda_nm) {
