@@ -29,7 +29,7 @@ blue green red yellow magenta cyan
 white-9.5 neutral-8 neutral-6.5 neutral-5 neutral-3.5 black-2
 """.split()
 THICKNESSES_MM = [1, 2, 3, 5, 10]
-GLASS = "ILA400"  # amber at 1 mm, red at 10: the colour turns with the thickness, which no triple of factors can do
+GLASS = "ILA400"  # amber at 1 mm, dark red at 10: the colour turns with the thickness
 
 
 def diffuse(spectrum):
@@ -208,7 +208,7 @@ def under(scene, illuminant):
 
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).parent / "colour"
-    still_life = make_figures.still_life("Figure 4(d) under a fluorescent lamp", True, True)
+    still_life = make_figures.still_life("Figure 4(d) under a fluorescent lamp", True, "hemisphere")
     scenes = {f"colorchecker-{i}": colorchecker(i) for i in ("D65", "D50", "A", "F11")}
     scenes.update({f"metamers-{i}": two_tiles(i) for i in ("D65", "A")})
     scenes.update({"wedge": wedge(), "wedge-law": wedge_law(), "still-life-F11": under(still_life, "F11")})
