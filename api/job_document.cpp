@@ -38,7 +38,8 @@ void add_digests(Json document, JobRequest& job) {
 void read_job(const JsonValue& document, const ReadContext& context, JobRequest& job) {
     JsonReader reader(document);
     if (!reader.is_object() || !read_format(reader, kJobFormat)) return;
-    if (const auto scene = reader.require("scene")) job.scene = read_scene(*scene, context);
+    if (const auto scene = reader.require("scene"))
+        job.scene = read_scene(*scene, context, job.notes);
     read_job_settings(reader, context.limits, job);
     reader.reject_unknown_keys();
 }
@@ -62,7 +63,7 @@ Result<JobRequest> parse(std::string_view text, const Limits& limits, const Asse
     if (!must_be_scene && is_job(*tree)) {
         read_job(JsonValue(*tree, "", problems), context, job);
     } else {
-        job.scene = read_scene(JsonValue(*tree, "", problems), context);
+        job.scene = read_scene(JsonValue(*tree, "", problems), context, job.notes);
         tree = job_around(*std::move(tree));
         // The defaults cannot be at fault: what is reported here belongs to the scene's camera.
         JsonReader settings(JsonValue(*tree, "", problems));

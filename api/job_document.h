@@ -11,6 +11,7 @@
 #include "renderer/core/result.h"
 #include "renderer/render.h"
 #include "renderer/settings.h"
+#include "renderer/spectrum/spectrum_notes.h"
 
 namespace bouguer::api {
 
@@ -30,7 +31,8 @@ struct JobRequest {
     renderer::RenderSettings settings;
     renderer::StopRule stop;
     renderer::OutputSettings output;
-    int priority = 0;  ///< -100 .. 100; higher goes first
+    renderer::SpectrumNotes notes;  ///< `where` is a JSON pointer
+    int priority = 0;               ///< -100 .. 100; higher goes first
     std::map<std::string, std::string> labels;
     std::string scene_digest;  ///< "sha256-<hex>" of the scene's canonical form
     std::string digest;        ///< likewise of the whole job without priority and labels

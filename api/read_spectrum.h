@@ -18,6 +18,9 @@ struct ReadSpectrum {
     double low = 0, high = 0;
     std::size_t parts = 1;  ///< how many spectra are evaluated for one value
     bool is_index = false;  ///< of refraction, by its kind or its name: it is nothing else
+    /// Where the document itself tells the values, nm; empty for those that are told everywhere
+    /// (a constant, a black body) or by the library.
+    std::optional<Interval> told_nm{};
 };
 
 /// `spectrum` with its bounds on the 1 nm grid of the rendered range.
@@ -27,8 +30,8 @@ struct ReadSpectrum {
 [[nodiscard]] std::optional<ReadSpectrum> accept(const JsonValue& value,
                                                  const Result<renderer::SpectrumPtr>& made);
 
-/// Widens the bounds by those samples that fall between the points of the 1 nm grid. As many values
-/// as wavelengths.
+/// Of samples, as many values as wavelengths: widens the bounds by those that fall between the
+/// points of the 1 nm grid, and keeps the wavelengths that are told.
 void include_samples(ReadSpectrum& read, const std::vector<double>& wavelengths_nm,
                      const std::vector<double>& values);
 

@@ -38,10 +38,26 @@ OrderedJson point_object(const renderer::ErrorPoint& point) {
             {"few_events", point.few_events}};
 }
 
+/// `unit` names what the values are.
+OrderedJson note_list(const renderer::SpectrumNoteList& notes, const std::string& unit) {
+    OrderedJson worst = OrderedJson::array();
+    for (const renderer::SpectrumNote& note : notes.worst()) {
+        worst.push_back({{"pointer", note.where}, {unit, note.value}});
+    }
+    return {{"count", notes.count()}, {"largest_" + unit, notes.largest()}, {"worst", worst}};
+}
+
+OrderedJson notes_object(const renderer::SpectrumNotes& notes) {
+    return {{"uplift", note_list(notes.uplift, "delta_e_2000")},
+            {"outside_range", note_list(notes.outside_range, "share")}};
+}
+
 OrderedJson bias_object(const renderer::Bias& bias) {
-    return {{"depth_limit_throughput", bias.depth_limit_throughput},
-            {"threshold_throughput", bias.threshold_throughput},
-            {"wavelength_relative", or_null(bias.wavelength_relative)}};
+    OrderedJson json = {{"depth_limit_throughput", bias.depth_limit_throughput},
+                        {"threshold_throughput", bias.threshold_throughput},
+                        {"wavelength_relative", or_null(bias.wavelength_relative)}};
+    json.update(notes_object(bias.spectra));
+    return json;
 }
 
 OrderedJson error_object(const Report& report) {
@@ -138,6 +154,10 @@ std::string csv_estimate(const std::optional<Estimate>& estimate) {
 }  // namespace
 
 std::string plan_json(const renderer::Plan& plan) { return text_of(plan_object(plan)); }
+
+std::string notes_json(const renderer::SpectrumNotes& notes) {
+    return text_of(notes_object(notes));
+}
 
 std::string health_json(const renderer::Health& health) { return text_of(health_object(health)); }
 

@@ -86,7 +86,8 @@ bool read_format(JsonReader& reader, std::string_view format) {
     return false;
 }
 
-renderer::SceneDescription read_scene(const JsonValue& value, const ReadContext& context) {
+renderer::SceneDescription read_scene(const JsonValue& value, const ReadContext& context,
+                                      renderer::SpectrumNotes& notes) {
     const Limits& limits = context.limits;
     renderer::SceneDescription scene;
     JsonReader reader(value);
@@ -118,6 +119,7 @@ renderer::SceneDescription read_scene(const JsonValue& value, const ReadContext&
     }
     textures.read_all();
     spectra.read_all();
+    notes = spectra.notes();
     reader.reject_unknown_keys();
     return scene;
 }

@@ -13,7 +13,8 @@ inline constexpr std::string_view kSceneFormat = "bouguer-scene/1";
 
 /// The scene at `value`. After a report the result is incomplete and must not be rendered.
 [[nodiscard]] renderer::SceneDescription read_scene(const JsonValue& value,
-                                                    const ReadContext& context);
+                                                    const ReadContext& context,
+                                                    renderer::SpectrumNotes& notes);
 
 /// Checks the member `format`; an absent one is "missing". False when it names another language
 /// ("unknown-format"), in which nothing else can be judged.

@@ -16,6 +16,7 @@ constexpr Interval kValue{0, kLargestEmission};
 constexpr Interval kWavelength_nm{1e-3, 1e9};
 constexpr Interval kWidth_nm{0, 1e9, true};
 constexpr Interval kTemperature_K{renderer::kBlackbodyMin_K, renderer::kBlackbodyMax_K};
+constexpr Interval kAnyTemperature_K{0, renderer::kBlackbodyMax_K, true};
 
 std::optional<ReadSpectrum> read_samples(SpectrumReader& spectra, JsonReader& reader) {
     const std::size_t most = spectra.limits().spectrum_samples;
@@ -45,27 +46,46 @@ std::optional<ReadSpectrum> read_regular(SpectrumReader& spectra, JsonReader& re
     return read;
 }
 
-std::optional<ReadSpectrum> read_srgb(SpectrumReader& /*spectra*/, JsonReader& reader) {
+/// A colour that became a reflectance; its round trip is noted.
+std::optional<ReadSpectrum> uplifted(SpectrumReader& spectra, const JsonReader& reader,
+                                     const Result<SpectrumPtr>& made, double delta_e_2000) {
+    auto read = accept(reader.value(), made);
+    if (read) spectra.note_uplift(reader.value(), delta_e_2000);
+    return read;
+}
+
+std::optional<ReadSpectrum> read_srgb(SpectrumReader& spectra, JsonReader& reader) {
     const auto colour = reader.require("srgb");
     const auto rgb = colour ? colour->vec3(kUnit) : std::nullopt;
     if (!rgb) return std::nullopt;
-    return accept(reader.value(), renderer::srgb_spectrum(rgb->x, rgb->y, rgb->z));
+    double delta_e_2000 = 0;
+    const auto made = renderer::srgb_spectrum(rgb->x, rgb->y, rgb->z, &delta_e_2000);
+    return uplifted(spectra, reader, made, delta_e_2000);
 }
 
 std::optional<ReadSpectrum> read_blackbody(SpectrumReader& /*spectra*/, JsonReader& reader) {
-    const auto temperature = reader.require_number("blackbody_K", kTemperature_K);
+    const bool is_absolute = reader.boolean("absolute", false);
+    const auto temperature =
+        reader.require_number("blackbody_K", is_absolute ? kAnyTemperature_K : kTemperature_K);
     if (!temperature) return std::nullopt;
-    return accept(reader.value(), renderer::blackbody_spectrum(*temperature));
+    return accept(reader.value(), is_absolute ? renderer::blackbody_radiance_spectrum(*temperature)
+                                              : renderer::blackbody_spectrum(*temperature));
 }
 
 std::optional<ReadSpectrum> read_hex(SpectrumReader& spectra, JsonReader& reader) {
     const auto at = reader.require("hex");
     const auto hex = at ? at->text(spectra.limits().name_bytes) : std::nullopt;
-    return hex ? accept(reader.value(), renderer::hex_spectrum(*hex)) : std::nullopt;
+    if (!hex) return std::nullopt;
+    double delta_e_2000 = 0;
+    const auto made = renderer::hex_spectrum(*hex, &delta_e_2000);
+    return uplifted(spectra, reader, made, delta_e_2000);
 }
 
-/// `read`, which may be narrower than the grid, with its peak at `at_nm`.
-std::optional<ReadSpectrum> with_peak(std::optional<ReadSpectrum> read, double at_nm, double peak) {
+/// `read`, which may be narrower than the grid, with its peak at `at_nm` and all it has to tell
+/// within `reach_nm` of that.
+std::optional<ReadSpectrum> with_peak(std::optional<ReadSpectrum> read, double at_nm, double peak,
+                                      double reach_nm) {
+    if (read) read->told_nm = Interval{at_nm - reach_nm, at_nm + reach_nm};
     if (read && at_nm >= renderer::kLambdaMin_nm && at_nm <= renderer::kLambdaMax_nm) {
         read->high = std::max(read->high, peak);
     }
@@ -78,7 +98,7 @@ std::optional<ReadSpectrum> read_gaussian(SpectrumReader& /*spectra*/, JsonReade
     const auto peak = reader.require_number("peak", kValue);
     if (!center || !fwhm || !peak) return std::nullopt;
     const auto made = renderer::gaussian_spectrum(*center, *fwhm, *peak);
-    return with_peak(accept(reader.value(), made), *center, *peak);
+    return with_peak(accept(reader.value(), made), *center, *peak, 3 * *fwhm);
 }
 
 std::optional<ReadSpectrum> read_line(SpectrumReader& /*spectra*/, JsonReader& reader) {
@@ -87,7 +107,7 @@ std::optional<ReadSpectrum> read_line(SpectrumReader& /*spectra*/, JsonReader& r
     const auto integral = reader.require_number("integral", kValue);
     if (!line || !width || !integral) return std::nullopt;
     const auto made = renderer::line_spectrum(*line, *width, *integral);
-    return with_peak(accept(reader.value(), made), *line, *integral / *width);
+    return with_peak(accept(reader.value(), made), *line, *integral / *width, *width / 2);
 }
 
 std::optional<ReadSpectrum> read_scaled(SpectrumReader& spectra, JsonReader& reader) {
@@ -95,8 +115,19 @@ std::optional<ReadSpectrum> read_scaled(SpectrumReader& spectra, JsonReader& rea
     const auto scale = reader.require_number("scale", kValue);
     const auto base = of ? spectra.any(*of) : std::nullopt;
     if (!base || !scale) return std::nullopt;
-    return ReadSpectrum{renderer::scaled_spectrum(base->spectrum, *scale), base->low * *scale,
-                        base->high * *scale, base->parts, base->is_index};
+    return ReadSpectrum{renderer::scaled_spectrum(base->spectrum, *scale),
+                        base->low * *scale,
+                        base->high * *scale,
+                        base->parts,
+                        base->is_index,
+                        base->told_nm};
+}
+
+/// Where both tell their values; empty when neither does, or there is no such place.
+std::optional<Interval> common(const std::optional<Interval>& a, const std::optional<Interval>& b) {
+    if (!a || !b) return a ? a : b;
+    const Interval both{std::max(a->low, b->low), std::min(a->high, b->high)};
+    return both.low < both.high ? std::optional(both) : std::nullopt;
 }
 
 /// The product of all. Its bounds are those on the grid, unless a factor is narrower than that.
@@ -111,6 +142,7 @@ ReadSpectrum multiplied(const std::vector<ReadSpectrum>& factors) {
     double high = 1;
     for (const ReadSpectrum& factor : factors) {
         product.parts += factor.parts;
+        product.told_nm = common(product.told_nm, factor.told_nm);
         product.is_index = product.is_index || factor.is_index;
         is_narrow = is_narrow || factor.high > with_bounds(factor.spectrum).high;
         high *= factor.high;

@@ -16,6 +16,8 @@ constexpr Interval kEmission{0, kLargestEmission};
 constexpr Interval kIndex{renderer::kIndexMin, renderer::kIndexMax};
 constexpr Interval kMetalN{0, 100, true};
 constexpr Interval kMetalK{0, 100};
+/// Less than this share of a light's energy is not worth a note.
+constexpr double kLeastShare = 1e-6;
 
 /// No key tells the kind: helps with the key that comes nearest to one that would.
 void report_no_kind(const JsonValue& value) {
@@ -57,6 +59,14 @@ SpectrumPtr within(const JsonValue& value, const ReadSpectrum& read, const Inter
     return nullptr;
 }
 
+/// Likewise of what is no index of refraction.
+SpectrumPtr no_index(const JsonValue& value, const ReadSpectrum& read, const Interval& allowed) {
+    if (!read.is_index) return within(value, read, allowed);
+    value.report("wrong-quantity", "this is an index of refraction, which has no meaning here",
+                 "a spectrum with values in " + allowed.text());
+    return nullptr;
+}
+
 }  // namespace
 
 SpectrumReader::SpectrumReader(std::optional<JsonValue> definitions, const Limits& limits)
@@ -78,17 +88,23 @@ SpectrumReader::SpectrumReader(std::optional<JsonValue> definitions, const Limit
     }
 }
 
-SpectrumPtr SpectrumReader::factor(const JsonValue& value) { return no_index(value, kFactor); }
-
-SpectrumPtr SpectrumReader::emission(const JsonValue& value) { return no_index(value, kEmission); }
-
-SpectrumPtr SpectrumReader::no_index(const JsonValue& value, const Interval& allowed) {
+SpectrumPtr SpectrumReader::factor(const JsonValue& value) {
     const auto read = any(value);
-    if (!read) return nullptr;
-    if (!read->is_index) return within(value, *read, allowed);
-    value.report("wrong-quantity", "this is an index of refraction, which has no meaning here",
-                 "a spectrum with values in " + allowed.text());
-    return nullptr;
+    return read ? no_index(value, *read, kFactor) : nullptr;
+}
+
+SpectrumPtr SpectrumReader::emission(const JsonValue& value) {
+    const auto read = any(value);
+    SpectrumPtr spectrum = read ? no_index(value, *read, kEmission) : nullptr;
+    if (!spectrum || !read->told_nm) return spectrum;
+    const double share =
+        renderer::share_outside_range(*spectrum, read->told_nm->low, read->told_nm->high);
+    if (share > kLeastShare) notes_.outside_range.add(value.pointer(), share);
+    return spectrum;
+}
+
+void SpectrumReader::note_uplift(const JsonValue& value, double delta_e_2000) {
+    notes_.uplift.add(value.pointer(), delta_e_2000);
 }
 
 SpectrumPtr SpectrumReader::index(const JsonValue& value) {
@@ -117,9 +133,10 @@ std::optional<renderer::ComplexIndex> SpectrumReader::metal(const JsonValue& val
     const auto k_value = reader.require("k");
     reader.reject_unknown_keys();
     const auto n = n_value ? any(*n_value) : std::nullopt;
+    const auto k = k_value ? any(*k_value) : std::nullopt;
     renderer::ComplexIndex metal;
     if (n) metal.n = within(*n_value, *n, kMetalN);
-    if (k_value) metal.k = no_index(*k_value, kMetalK);
+    if (k) metal.k = no_index(*k_value, *k, kMetalK);
     if (!metal.n || !metal.k) return std::nullopt;
     return metal;
 }

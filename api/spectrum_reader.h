@@ -4,7 +4,7 @@
 //
 //     0.8 | "D65" | { "wavelengths_nm": [...], "values": [...] }
 //     | { "first_nm": 380, "step_nm": 5, "values": [...] } | { "srgb": [r, g, b] }
-//     | { "hex": "#ccbfb3" } | { "blackbody_K": 2856 }
+//     | { "hex": "#ccbfb3" } | { "blackbody_K": 2856, "absolute": false }
 //     | { "center_nm": 550, "fwhm_nm": 20, "peak": 1 } | { "line_nm": 589.3, "width_nm": 0.1,
 //     "integral": 1 } | { "spectrum": <spectrum>, "scale": 400 } | { "product": [<spectrum>,
 //     <spectrum>, ...] }
@@ -20,6 +20,7 @@
 #include "api/limits.h"
 #include "api/read_spectrum.h"
 #include "renderer/spectrum/refractive_index.h"
+#include "renderer/spectrum/spectrum_notes.h"
 
 namespace bouguer::api {
 
@@ -32,7 +33,8 @@ class SpectrumReader {
 
     /// A reflectance or transmittance: every value in [0, 1]. Null after a report.
     [[nodiscard]] renderer::SpectrumPtr factor(const JsonValue& value);
-    /// What a light emits: every value finite and >= 0. Null after a report.
+    /// What a light emits: every value finite and >= 0. Energy that it says to be outside the
+    /// rendered range is noted. Null after a report.
     [[nodiscard]] renderer::SpectrumPtr emission(const JsonValue& value);
     /// An index of refraction: a number in [1, 10], a name of the scene or of renderer's
     /// library_index(), or a spectrum of any kind with values in [1, 10]. Null after a report.
@@ -47,6 +49,11 @@ class SpectrumReader {
     [[nodiscard]] std::optional<ReadSpectrum> any(const JsonValue& value);
     [[nodiscard]] const Limits& limits() const { return limits_; }
 
+    /// What could not be taken exactly as it is written, of all that was read so far.
+    [[nodiscard]] const renderer::SpectrumNotes& notes() const { return notes_; }
+    /// For the kinds: the colour at `value` came back with this CIEDE2000.
+    void note_uplift(const JsonValue& value, double delta_e_2000);
+
   private:
     struct Definition {
         JsonValue value;
@@ -60,9 +67,9 @@ class SpectrumReader {
     std::optional<renderer::ComplexIndex> named_metal(const JsonValue& value);
     std::optional<ReadSpectrum> defined(const JsonValue& reference, Definition& definition);
     std::optional<ReadSpectrum> of_a_kind(const JsonValue& value);
-    renderer::SpectrumPtr no_index(const JsonValue& value, const Interval& allowed);
 
     const Limits& limits_;
+    renderer::SpectrumNotes notes_;
     std::map<std::string, Definition, std::less<>> definitions_;
     std::size_t depth_ = 0;  ///< of references being followed
 };

@@ -26,6 +26,8 @@ namespace bouguer::api {
 [[nodiscard]] std::string code_of(const Error& error);
 
 [[nodiscard]] std::string plan_json(const renderer::Plan& plan);
+/// "uplift" and "outside_range": of each the number, the largest value and the worst, by pointer.
+[[nodiscard]] std::string notes_json(const renderer::SpectrumNotes& notes);
 [[nodiscard]] std::string health_json(const renderer::Health& health);
 /// The error curve with its bias parts and the fitted slope of log rmse against log samples (null
 /// below three points).

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer/spectrum/spectrum_notes.h"
+
 namespace bouguer::renderer {
 
 /// A value with its 95 % interval.
@@ -37,6 +39,7 @@ struct Bias {
         wavelength_relative;  ///< largest relative error in X, Y or Z of the quadrature against 1
                               ///< nm, over the scene's own lamp x surface products; empty: not a
                               ///< quadrature (rgb)
+    SpectrumNotes spectra{};  ///< of the document; the renderer itself leaves them empty
 };
 
 struct RejectedSample {

@@ -157,8 +157,10 @@ Triple rec709_of_reflectance(const Spectrum& reflectance) {
     return rgb;
 }
 
-double delta_e_1976(const Triple& linear_a, const Triple& linear_b) {
-    return std::sqrt(squared(minus(lab_of(linear_a), lab_of(linear_b))));
+double delta_e_2000(const Triple& linear_a, const Triple& linear_b) {
+    const auto [La, aa, ba] = lab_of(linear_a);
+    const auto [Lb, ab, bb] = lab_of(linear_b);
+    return renderer::delta_e_2000(Lab{La, aa, ba}, Lab{Lb, ab, bb});
 }
 
 Triple fit_smooth_reflectance(const Triple& linear_rgb) {

@@ -28,7 +28,7 @@ std::array<double, 3> rec709_of_reflectance(const Spectrum& reflectance);
 /// so that the most saturated colours converge too. About 0.2 ms. Thread-safe.
 std::array<double, 3> fit_smooth_reflectance(const std::array<double, 3>& linear_rgb);
 
-/// CIE 1976 colour difference of two linear Rec.709 colours, white (1, 1, 1).
-double delta_e_1976(const std::array<double, 3>& linear_a, const std::array<double, 3>& linear_b);
+/// CIEDE2000 of two linear Rec.709 colours, white (1, 1, 1).
+double delta_e_2000(const std::array<double, 3>& linear_a, const std::array<double, 3>& linear_b);
 
 }  // namespace bouguer::renderer

@@ -47,8 +47,8 @@ Result<SpectrumPtr> gaussian_spectrum(double center_nm, double fwhm_nm, double p
 Result<SpectrumPtr> line_spectrum(double line_nm, double width_nm, double integral);
 
 /// A smooth reflectance in [0, 1] whose colour under D65 is the display colour r, g, b
-/// (sRGB-encoded, [0, 1]) [Jakob and Hanika 2019]. `round_trip_delta_e` gets the CIE 1976
-/// difference that remains.
+/// (sRGB-encoded, [0, 1]) [Jakob and Hanika 2019]. `round_trip_delta_e` gets the
+/// CIEDE2000 that remains.
 Result<SpectrumPtr> srgb_spectrum(double r, double g, double b,
                                   double* round_trip_delta_e = nullptr);
 

@@ -50,7 +50,7 @@ Result<SpectrumPtr> srgb_spectrum(double r, double g, double b, double* round_tr
     else
         spectrum = std::make_shared<SmoothReflectance>(fit_smooth_reflectance(linear));
     if (round_trip_delta_e)
-        *round_trip_delta_e = delta_e_1976(linear, rec709_of_reflectance(*spectrum));
+        *round_trip_delta_e = delta_e_2000(linear, rec709_of_reflectance(*spectrum));
     return spectrum;
 }
 

@@ -354,6 +354,7 @@ Result<std::string> JobManager::validate(const std::string& body) const {
         .set("valid", true)
         .set("scene_digest", request->scene_digest)
         .set("memory_bytes_estimate", memory)
+        .set_json("notes", api::notes_json(request->notes))
         .set_json("plan", api::plan_json(renderer::make_plan(**scene, request->settings)))
         .text();
 }

@@ -14,7 +14,7 @@ Result<PreparedRender> prepare_render(const api::JobRequest& job, SceneCache& sc
     if (!render) return tl::unexpected(render.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     return PreparedRender{
-        std::move(*render), job.output, {job.digest, job.scene_digest}, spent.count()};
+        std::move(*render), job.output, {job.digest, job.scene_digest}, spent.count(), job.notes};
 }
 
 }  // namespace bouguer::server

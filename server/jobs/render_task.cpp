@@ -253,6 +253,7 @@ JobProgress RenderTask::progress_locked() const {
 renderer::Report RenderTask::report_locked() const {
     renderer::Report report = prepared_.render->report();
     report.timings.scene_s = prepared_.scene_seconds;
+    report.bias.spectra = prepared_.notes;
     report.timings.render_s = seconds_locked();
     report.image = shown_;
     if (is_cancelled_ && report.stopped_by.empty()) report.stopped_by = "cancel";

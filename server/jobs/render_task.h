@@ -24,6 +24,7 @@ struct PreparedRender {
     renderer::OutputSettings output;
     JobDigests digests;
     double scene_seconds = 0;  ///< that it took to build the scene
+    renderer::SpectrumNotes notes{};
 };
 
 /// What became of a job.

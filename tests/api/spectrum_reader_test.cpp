@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "renderer/spectrum/spectra.h"
+
 namespace bouguer::api {
 namespace {
 
@@ -38,6 +40,17 @@ class SpectrumReaderTest : public ::testing::Test {
         json_ = Json::parse(text);
         return reader().factor(JsonValue(json_, "/here", problems_));
     }
+    renderer::SpectrumPtr emission(const char* text) {
+        json_ = Json::parse(text);
+        return reader().emission(JsonValue(json_, "/here", problems_));
+    }
+    /// The share of energy outside the rendered range that is noted of a light; 0 without a note.
+    double share_outside(const char* text) {
+        EXPECT_TRUE(emission(text)) << text;
+        return notes().outside_range.largest();
+    }
+    /// Of the newest reader.
+    const renderer::SpectrumNotes& notes() { return reader_->notes(); }
     /// What was reported since the last call.
     std::string places() { return places_of(std::exchange(problems_, Problems(limits_.problems))); }
 
@@ -52,6 +65,7 @@ class SpectrumReaderTest : public ::testing::Test {
         "glass": { "n_d": 1.5168, "v_d": 64.17 },
         "alias": "glass",
         "lamp": { "blackbody_K": 2856 },
+        "infrared": { "wavelengths_nm": [800, 860], "values": [1, 1] },
         "oil": { "wavelengths_nm": [400, 700], "values": [1.53, 1.51] } })");
     Json json_;
     Problems problems_{limits_.problems};
@@ -169,6 +183,58 @@ TEST_F(SpectrumReaderTest, AMetalThatCannotBeIsRefused) {
     EXPECT_EQ(places(), "/here/k out-of-range\n/here/n out-of-range\n");
     EXPECT_FALSE(metal(R"({ "n": 100.5, "k": "glass", "kappa": 1 })"));
     EXPECT_EQ(places(), "/here/k wrong-quantity\n/here/kappa unknown-key\n/here/n out-of-range\n");
+}
+
+// 800 to 860 nm at one height: 30 of 60 nm lie outside; what is read beyond the samples does not.
+TEST_F(SpectrumReaderTest, EnergyOutsideTheRenderedRangeIsNoted) {
+    EXPECT_NEAR(share_outside(R"({ "wavelengths_nm": [800, 860], "values": [2, 2] })"), 0.5, 1e-3);
+    EXPECT_NEAR(share_outside(R"({ "first_nm": 800, "step_nm": 60, "values": [2, 2] })"), 0.5,
+                1e-3);
+    EXPECT_NEAR(share_outside(R"({ "spectrum": "infrared", "scale": 7 })"), 0.5, 1e-3);
+    EXPECT_EQ(notes().outside_range.worst().front().where, "/here");
+    EXPECT_NEAR(share_outside(R"({ "product": ["infrared", "lamp", 0.5] })"), 0.5, 0.02);
+    EXPECT_NEAR(share_outside(R"({ "line_nm": 1064, "width_nm": 1, "integral": 1 })"), 1, 1e-12);
+    EXPECT_NEAR(share_outside(R"({ "line_nm": 830, "width_nm": 0.1, "integral": 1 })"), 0.5, 1e-2);
+    EXPECT_NEAR(share_outside(R"({ "center_nm": 830, "fwhm_nm": 20, "peak": 1 })"), 0.5, 1e-2);
+    for (const char* text :
+         {"1", R"("D65")", R"("lamp")", R"({ "blackbody_K": 300, "absolute": true })",
+          R"({ "wavelengths_nm": [400, 700], "values": [1, 1] })",
+          R"({ "center_nm": 550, "fwhm_nm": 20, "peak": 1 })"}) {
+        EXPECT_EQ(share_outside(text), 0) << text;
+    }
+}
+
+// What goes through a filter has no energy of its own.
+TEST_F(SpectrumReaderTest, OnlyLightsAreNotedToHaveEnergyOutside) {
+    EXPECT_TRUE(factor(R"({ "wavelengths_nm": [300, 1000], "values": [1, 1] })"));
+    EXPECT_EQ(notes().outside_range.count(), 0U);
+}
+
+TEST_F(SpectrumReaderTest, UpliftedColoursAreNoted) {
+    EXPECT_TRUE(factor(R"({ "product": [{ "srgb": [0.1, 0.5, 0.9] }, { "hex": "#fa0" }] })"));
+    const auto& uplift = notes().uplift;
+    ASSERT_EQ(uplift.count(), 2U);
+    // the fit meets every colour of the display far below what can be seen
+    EXPECT_LT(uplift.largest(), 1e-5);
+    std::vector<std::string> places{uplift.worst()[0].where, uplift.worst()[1].where};
+    std::sort(places.begin(), places.end());
+    EXPECT_EQ(places, (std::vector<std::string>{"/here/product/0", "/here/product/1"}));
+}
+
+// Planck's law at 500 nm and 5000 K is 1.2107e4 W m^-2 sr^-1 nm^-1.
+TEST_F(SpectrumReaderTest, ABlackBodyMayBeAbsolute) {
+    const auto absolute = emission(R"({ "blackbody_K": 5000, "absolute": true })");
+    EXPECT_NEAR(absolute->at(500), renderer::planck_W_per_m3_sr(500, 5000) * 1e-9, 1e-9);
+    EXPECT_NEAR(absolute->at(500), 1.2107e4, 1);
+    EXPECT_NEAR(emission(R"({ "blackbody_K": 5000, "absolute": false })")->at(560), 1, 1e-12);
+    EXPECT_TRUE(emission(R"({ "blackbody_K": 20, "absolute": true })"));
+    EXPECT_EQ(places(), "");
+    EXPECT_FALSE(emission(R"({ "blackbody_K": 20 })"));
+    EXPECT_EQ(places(), "/here/blackbody_K out-of-range\n");
+    EXPECT_FALSE(emission(R"({ "blackbody_K": 0, "absolute": true })"));
+    EXPECT_EQ(places(), "/here/blackbody_K out-of-range\n");
+    EXPECT_FALSE(emission(R"({ "blackbody_K": 3000, "absolute": "yes" })"));
+    EXPECT_EQ(places(), "/here/absolute wrong-type\n");
 }
 
 }  // namespace

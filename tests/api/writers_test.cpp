@@ -97,6 +97,8 @@ renderer::Report sample_report() {
     report.error[0].rmse.reset();
     report.error[0].relative_rmse.reset();
     report.bias = {0.25, 0.5, 1e-4};
+    report.bias.spectra.uplift.add("/scene/spectra/red", 0.5);
+    report.bias.spectra.uplift.add("/scene/spectra/blue", 1.5);
     report.health.samples = 1000;
     report.health.rejected_nan = 2;
     report.health.rejected_negative = 1;
@@ -117,6 +119,13 @@ TEST(ReportWriter, KeepsTheBiasApartFromTheNoise) {
     EXPECT_EQ(json["bias"]["depth_limit_throughput"], 0.25);
     EXPECT_EQ(json["bias"]["threshold_throughput"], 0.5);
     EXPECT_EQ(json["bias"]["wavelength_relative"], 1e-4);
+    const Json& uplift = json["bias"]["uplift"];
+    EXPECT_EQ(uplift["count"], 2);
+    EXPECT_EQ(uplift["largest_delta_e_2000"], 1.5);
+    EXPECT_EQ(uplift["worst"][1]["pointer"], "/scene/spectra/red");
+    EXPECT_EQ(uplift["worst"][1]["delta_e_2000"], 0.5);
+    EXPECT_EQ(json["bias"]["outside_range"],
+              Json::parse(R"({ "count": 0, "largest_share": 0, "worst": [] })"));
 }
 
 TEST(ReportWriter, WritesEverything) {

@@ -65,9 +65,13 @@ TEST(SmoothReflectance, RefusesWhatIsNoColour) {
     EXPECT_EQ(s.error().problems[1].code, "not-finite");
 }
 
-// L* of 0.18 is 49.496, so black and that grey differ by it [CIE 15:2018, 8.2.1].
-TEST(SmoothReflectance, DeltaEIsTheDistanceInLab) {
-    EXPECT_NEAR(delta_e_1976({0, 0, 0}, {0.18, 0.18, 0.18}), 116 * std::cbrt(0.18) - 16, 1e-9);
+// Black and a grey differ in lightness alone, by L* = 116 * 0.18^(1/3) - 16 [CIE 15:2018, 8.2.1]
+// over S_L at the mean of both [Sharma et al. 2005, equation 15].
+TEST(SmoothReflectance, DeltaEIsCiede2000) {
+    const double L = 116 * std::cbrt(0.18) - 16;
+    const double from_middle = (L / 2 - 50) * (L / 2 - 50);
+    EXPECT_NEAR(delta_e_2000({0, 0, 0}, {0.18, 0.18, 0.18}),
+                L / (1 + 0.015 * from_middle / std::sqrt(20 + from_middle)), 1e-9);
 }
 
 }  // namespace

@@ -344,6 +344,7 @@ TEST_F(JobManagerTest, ValidatesWithoutRendering) {
     ASSERT_TRUE(good);
     EXPECT_NE(good->find(R"("valid":true)"), std::string::npos);
     EXPECT_NE(good->find(R"("plan":{)"), std::string::npos);
+    EXPECT_NE(good->find(R"("notes":{"uplift":{"count":0,)"), std::string::npos);
     EXPECT_EQ(manager->validate("[]").error().kind, ErrorKind::InvalidInput);
     EXPECT_TRUE(manager->list(10, "", std::nullopt)->jobs.empty());
 }

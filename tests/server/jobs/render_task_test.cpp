@@ -51,7 +51,7 @@ class RenderTaskTest : public testing::Test {
                                      FakeRender::OnTrace on_trace = {}) {
         return make([=]() -> Result<PreparedRender> {
             return PreparedRender{
-                std::make_unique<FakeRender>(passes, units, on_trace), {}, {"d", "s"}, 0.25};
+                std::make_unique<FakeRender>(passes, units, on_trace), {}, {"d", "s"}, 0.25, {}};
         });
     }
     RenderOutcome run(const std::shared_ptr<RenderTask>& task, int threads = 2) {
