@@ -48,7 +48,8 @@ std::optional<ReadSpectrum> read_regular(SpectrumReader& spectra, JsonReader& re
 
 /// A colour that became a reflectance; its round trip is noted.
 std::optional<ReadSpectrum> uplifted(SpectrumReader& spectra, const JsonReader& reader,
-                                     const Result<SpectrumPtr>& made, double delta_e_2000) {
+                                     const Result<renderer::SpectrumPtr>& made,
+                                     double delta_e_2000) {
     auto read = accept(reader.value(), made);
     if (read) spectra.note_uplift(reader.value(), delta_e_2000);
     return read;

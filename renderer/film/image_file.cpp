@@ -122,9 +122,9 @@ Result<std::string> encode_png(const Picture& picture, const OutputSettings& out
 }
 
 Result<std::string> encode_png(const Raster& raster) {
-    OIIO::ImageSpec spec = spec_of(raster.width(), raster.height(), OIIO::TypeDesc::UINT8);
+    OIIO::ImageSpec spec = spec_of(raster.width, raster.height, OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
-    return write("png", spec, raster.bytes().data());
+    return write("png", spec, raster.rgb.data());
 }
 
 Result<std::string> encode_exr(const Picture& picture, const OutputSettings& output) {

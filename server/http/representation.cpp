@@ -41,9 +41,13 @@ Representation representation_of(ResultFile file) {
 }
 
 Representation json_representation(std::string json) {
-    std::string tag = api::sha256_hex(json).substr(0, 32);
-    return {.bytes = std::move(json),
-            .media_type = "application/json",
+    return made_representation(std::move(json), "application/json");
+}
+
+Representation made_representation(std::string bytes, std::string media_type) {
+    std::string tag = api::sha256_hex(bytes).substr(0, 32);
+    return {.bytes = std::move(bytes),
+            .media_type = std::move(media_type),
             .tag = std::move(tag),
             .immutable = false,
             .ranges = false};

@@ -34,7 +34,8 @@ void send_representation(const httplib::Request& request, httplib::Response& res
 
 /// A result file: its digest is the tag, and parts may be asked for.
 [[nodiscard]] Representation representation_of(ResultFile file);
-/// A document made for this answer, tagged by its content.
+/// Bytes made for this answer, tagged by their content.
+[[nodiscard]] Representation made_representation(std::string bytes, std::string media_type);
 [[nodiscard]] Representation json_representation(std::string json);
 
 }  // namespace bouguer::server

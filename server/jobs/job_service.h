@@ -77,8 +77,8 @@ class JobService {
     [[nodiscard]] virtual Result<void> remove(const JobId& id) = 0;
 
     /// `name`: "image.png", "image.exr" (newest complete pass while it runs), "report.json",
-    /// "error.json", "error.csv", "plan.json", "health.json". Conflict, code "job-not-finished",
-    /// before there is anything.
+    /// "error.json", "error.csv", "error.png", "plan.json", "health.json". Conflict, code
+    /// "job-not-finished", before there is anything.
     [[nodiscard]] virtual Result<ResultFile> file(const JobId& id,
                                                   const std::string& name) const = 0;
 

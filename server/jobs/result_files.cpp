@@ -5,6 +5,8 @@
 #include <chrono>
 
 #include "api/writers.h"
+#include "renderer/film/error_plot.h"
+#include "renderer/film/image_file.h"
 
 namespace bouguer::server {
 namespace {
@@ -34,6 +36,11 @@ constexpr std::array kResults{
                [](const Report& report, const OutputSettings&, const JobDigests&) {
                    return api::error_csv(report);
                }},
+    ResultName{
+        "error.png", "image/png",
+        [](const Report& report, const OutputSettings&, const JobDigests&) {
+            return renderer::encode_png(draw_plot(renderer::error_plot(report.error))).value_or("");
+        }},
     ResultName{"plan.json", "application/json",
                [](const Report& report, const OutputSettings&, const JobDigests&) {
                    return api::plan_json(report.plan);

@@ -22,8 +22,8 @@ struct JobDigests {
     std::string job, scene;  ///< "sha256-<hex>"; may be empty
 };
 
-/// One of the files without a picture: "report.json", "error.json", "error.csv", "plan.json",
-/// "health.json". Empty for other names.
+/// One of the files without a picture of the scene: "report.json", "error.json", "error.csv",
+/// "error.png", "plan.json", "health.json". Empty for other names.
 [[nodiscard]] std::optional<std::string> report_file(std::string_view name,
                                                      const renderer::Report& report,
                                                      const renderer::OutputSettings& output,

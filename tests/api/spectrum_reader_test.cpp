@@ -140,13 +140,6 @@ TEST_F(SpectrumReaderTest, ASampledIndexIsJudgedInTheRenderedRange) {
     EXPECT_EQ(places(), "/here out-of-range\n");
 }
 
-// Names are looked for in both: what both had would mean what is found first.
-TEST_F(SpectrumReaderTest, NoNameOfTheLibraryIsASpectrumAndAnIndex) {
-    for (const renderer::LibraryEntry& entry : renderer::index_entries()) {
-        EXPECT_FALSE(renderer::library_spectrum(entry.name)) << entry.name;
-    }
-}
-
 // An index of 1 would pass for a factor by its values; what it is decides.
 TEST_F(SpectrumReaderTest, AnIndexIsNothingElse) {
     for (const char* text :

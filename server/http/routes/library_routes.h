@@ -6,7 +6,8 @@
 
 namespace bouguer::server {
 
-/// The whole library, its parts, and each spectrum with its values at 5 nm.
+/// The whole library, its parts, and each thing that is a function of wavelength: with its values,
+/// and as a plot.
 void add_library_routes(Router& router);
 
 }  // namespace bouguer::server

@@ -30,8 +30,8 @@ struct NamedResult {
 constexpr std::array kNamed{
     NamedResult{"/image\\.png", "image.png"}, NamedResult{"/image\\.exr", "image.exr"},
     NamedResult{"/report", "report.json"},    NamedResult{"/error\\.json", "error.json"},
-    NamedResult{"/error\\.csv", "error.csv"}, NamedResult{"/plan", "plan.json"},
-    NamedResult{"/health", "health.json"},
+    NamedResult{"/error\\.csv", "error.csv"}, NamedResult{"/error\\.png", "error.png"},
+    NamedResult{"/plan", "plan.json"},        NamedResult{"/health", "health.json"},
 };
 
 /// A path below the job whose file is chosen by Accept: media types and the files for them.
@@ -46,6 +46,7 @@ constexpr std::array kImageOffers{
 constexpr std::array kErrorOffers{
     Offer{"application/json", "error.json"},
     Offer{"text/csv", "error.csv"},
+    Offer{"image/png", "error.png"},
 };
 
 /// The file as it is kept, or, where the query asks for another image, that one.

@@ -78,7 +78,7 @@ TEST_F(JobManagerTest, RendersWhatIsSubmitted) {
     EXPECT_EQ(view->progress.samples, 4U);
     EXPECT_EQ(view->progress.fraction, 1.0);
     for (const char* name : {"image.png", "image.exr", "report.json", "error.json", "error.csv",
-                             "plan.json", "health.json"}) {
+                             "error.png", "plan.json", "health.json"}) {
         const auto file = manager->file(id, name);
         ASSERT_TRUE(file) << name;
         EXPECT_TRUE(file->final) << name;

@@ -13,6 +13,7 @@ class ResultRoutesTest : public ServerTest {
         jobs.set_file(id, "image.exr", {"exr", "image/x-exr", "bb22", true});
         jobs.set_file(id, "error.json", {"{}", "application/json", "cc33", true});
         jobs.set_file(id, "error.csv", {"a,b", "text/csv", "dd44", true});
+        jobs.set_file(id, "error.png", {"plot", "image/png", "ee55", true});
     }
     [[nodiscard]] RawResponse image(const std::vector<std::string>& fields) const {
         return ask("GET", path_of(id, "/image.png"), fields);
@@ -33,6 +34,8 @@ TEST_F(ResultRoutesTest, ImagesAreChosenByNameOrByAccept) {
     EXPECT_EQ(ask("GET", path_of(id, "/error"), {"Accept: text/csv"}).body, "a,b");
     EXPECT_EQ(ask("GET", path_of(id, "/error")).body, "{}");
     EXPECT_EQ(ask("GET", path_of(id, "/error.csv")).body, "a,b");
+    EXPECT_EQ(ask("GET", path_of(id, "/error.png")).body, "plot");
+    EXPECT_EQ(ask("GET", path_of(id, "/error"), {"Accept: image/*"}).body, "plot");
 }
 
 TEST_F(ResultRoutesTest, BeforeThereIsAnythingIsAConflict) {

@@ -25,9 +25,10 @@ std::set<std::string> all_matches(const std::string& text, const std::string& pa
     return found;
 }
 
-/// A path with its {id} and {name} filled in.
+/// A path with its {shelf}, {name}, {digest} and {id} filled in.
 std::string with_names(const std::string& path) {
     std::string named = std::regex_replace(path, std::regex("\\{name\\}"), "D65");
+    named = std::regex_replace(named, std::regex("\\{shelf\\}"), "spectra");
     named = std::regex_replace(named, std::regex("\\{digest\\}"), "sha256-" + std::string(64, '0'));
     return std::regex_replace(named, std::regex("\\{id\\}"),
                               "01890000-0000-7000-8000-000000000001");
