@@ -86,7 +86,7 @@ std::optional<ReadSpectrum> read_hex(SpectrumReader& spectra, JsonReader& reader
 /// within `reach_nm` of that.
 std::optional<ReadSpectrum> with_peak(std::optional<ReadSpectrum> read, double at_nm, double peak,
                                       double reach_nm) {
-    if (read) read->told_nm = Interval{at_nm - reach_nm, at_nm + reach_nm};
+    if (read) read->told_nm = Interval{std::max(at_nm - reach_nm, 0.0), at_nm + reach_nm};
     if (read && at_nm >= renderer::kLambdaMin_nm && at_nm <= renderer::kLambdaMax_nm) {
         read->high = std::max(read->high, peak);
     }

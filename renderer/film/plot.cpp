@@ -17,7 +17,7 @@ constexpr int kLightHeight = 8;              ///< of the strip below it
 constexpr int kTickLength = 5, kShortTick = 3, kGap = 5;
 constexpr double kLineWidth = 1.8, kPointRadius = 3;
 constexpr double kBandOpacity = 0.18;
-constexpr int kLegendLine = 18;
+constexpr int kLegendSample = 18;
 constexpr int kTitleBaseline = 28, kTitleSize = 2;
 
 /// The colour of a wavelength, which no display can show: paler than it is, darker where the eye
@@ -169,27 +169,17 @@ class PlotDrawing {
         canvas_.text_upwards(22, (kArea.top + kArea.bottom) / 2, plot_.y.title, paints::kInk);
     }
 
-    /// In the upper right corner, on paper of its own.
+    /// In the line of the title, ending where the axis ends: it never covers a curve.
     void draw_legend() {
-        constexpr int kSample = 18, kMargin = 8;
-        int widest = 0, lines = 0;
-        for (const PlotSeries& series : plot_.series) {
-            if (series.name.empty()) continue;
-            widest = std::max(widest, text_width(series.name));
-            ++lines;
-        }
-        if (lines == 0) return;
-        const int left = kArea.right - kMargin - widest - kSample - 3 * kGap;
-        int y = kArea.top + kMargin;
-        canvas_.fill({left, y, kArea.right - kMargin, y + lines * kLegendLine}, kPaper);
-        for (const PlotSeries& series : plot_.series) {
-            if (series.name.empty()) continue;
-            const double middle = y + kLegendLine / 2.0;
-            canvas_.polyline({{left + kGap + 0.0, middle}, {left + kGap + kSample + 0.0, middle}},
-                             kLineWidth, series.paint);
-            canvas_.text(left + 2 * kGap + kSample, y + kLegendLine / 2 + 4, series.name,
-                         paints::kInk, TextAnchor::Left);
-            y += kLegendLine;
+        int right = kArea.right;
+        for (auto series = plot_.series.rbegin(); series != plot_.series.rend(); ++series) {
+            if (series->name.empty()) continue;
+            canvas_.text(right, kTitleBaseline, series->name, paints::kInk, TextAnchor::Right);
+            right -= text_width(series->name) + kGap;
+            const double middle = kTitleBaseline - kGlyphAscent / 2.0;
+            canvas_.polyline({{right - kLegendSample + 0.0, middle}, {right + 0.0, middle}},
+                             kLineWidth, series->paint);
+            right -= kLegendSample + 3 * kGap;
         }
     }
 
