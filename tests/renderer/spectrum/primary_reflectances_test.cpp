@@ -47,9 +47,9 @@ TEST(PrimaryReflectances, GiveColoursBack) {
     double worst = 0;
     for (int i = 0; i < 125; ++i) {
         const std::array rgb{i % 5 / 4.0, i / 5 % 5 / 4.0, i / 25 / 4.0};
-        worst = std::max(worst, delta_e_1976(rgb, rec709_of_reflectance(*mixed(rgb))));
+        worst = std::max(worst, delta_e_2000(rgb, rec709_of_reflectance(*mixed(rgb))));
     }
-    RecordProperty("worst_delta_e_1976_e-12", std::to_string(1e12 * worst));
+    RecordProperty("worst_delta_e_2000_e-12", std::to_string(1e12 * worst));
     EXPECT_LT(worst, 1e-9);
 }
 
