@@ -40,12 +40,13 @@ TEST(ShareOutsideRange, IsThatOfTheSamples) {
     EXPECT_NEAR(share_outside_range(*fine, 730, 930), 0.5, 1e-3);
 }
 
-// The normal distribution: 15.8655 % lies beyond one sigma on one side.
+// The normal distribution: 15.8655 % lies beyond one sigma on one side. The rule's own error is
+// h^2 / 24 times the slope there, 4e-6 for steps of 0.4 nm.
 TEST(ShareOutsideRange, IsThatOfABell) {
     const double sigma_nm = 20, fwhm_nm = sigma_nm * std::sqrt(8 * std::log(2.0));
     const auto bell = *gaussian_spectrum(830 - sigma_nm, fwhm_nm, 1);
     EXPECT_NEAR(share_outside_range(*bell, 810 - 6 * sigma_nm, 810 + 6 * sigma_nm),
-                0.5 * std::erfc(1 / std::sqrt(2.0)), 1e-6);
+                0.5 * std::erfc(1 / std::sqrt(2.0)), 1e-5);
 }
 
 }  // namespace
