@@ -184,6 +184,7 @@ TEST_F(SpectrumReaderTest, EnergyOutsideTheRenderedRangeIsNoted) {
     EXPECT_NEAR(share_outside(R"({ "first_nm": 800, "step_nm": 60, "values": [2, 2] })"), 0.5,
                 1e-3);
     EXPECT_NEAR(share_outside(R"({ "spectrum": "infrared", "scale": 7 })"), 0.5, 1e-3);
+    ASSERT_EQ(notes().outside_range.count(), 1U);
     EXPECT_EQ(notes().outside_range.worst().front().where, "/here");
     EXPECT_NEAR(share_outside(R"({ "product": ["infrared", "lamp", 0.5] })"), 0.5, 0.02);
     EXPECT_NEAR(share_outside(R"({ "line_nm": 1064, "width_nm": 1, "integral": 1 })"), 1, 1e-12);
