@@ -71,32 +71,32 @@ MaterialModel read_hall(JsonReader& reader, const ColourReaders& colours) {
     return hall;
 }
 
-/// phong: diffuse, specular (spectra in [0, 1], default 1), k_d, k_s ([0, 1], default 0, at least
-/// one of them given), n ([0, 1e6], default 20), mirror (default false).
-MaterialModel read_phong(JsonReader& reader, const ColourReaders& colours) {
+/// diffuse, specular (spectra in [0, 1], default 1), k_d, k_s ([0, 1], default 0, at least one of
+/// them given), mirror (default false).
+template <class Material>
+void read_matt_and_gloss(JsonReader& reader, const ColourReaders& colours, Material& material) {
     require_one_of(reader, {"k_d", "k_s"});
+    material.diffuse = factor_or_one(reader, "diffuse", colours);
+    material.specular = factor_or_one(reader, "specular", colours);
+    material.k_d = reader.number("k_d", kUnit, material.k_d);
+    material.k_s = reader.number("k_s", kUnit, material.k_s);
+    material.mirror = reader.boolean("mirror", material.mirror);
+}
+
+/// phong: as read_matt_and_gloss(), and n ([0, 1e6], default 20).
+MaterialModel read_phong(JsonReader& reader, const ColourReaders& colours) {
     renderer::PhongMaterial phong;
-    phong.diffuse = factor_or_one(reader, "diffuse", colours);
-    phong.specular = factor_or_one(reader, "specular", colours);
-    phong.k_d = reader.number("k_d", kUnit, phong.k_d);
-    phong.k_s = reader.number("k_s", kUnit, phong.k_s);
+    read_matt_and_gloss(reader, colours, phong);
     phong.n = reader.number("n", kExponent, phong.n);
-    phong.mirror = reader.boolean("mirror", phong.mirror);
     return phong;
 }
 
-/// blinn: diffuse, specular, k_d, k_s as in phong; c3 ([1e-4, 1], default 0.35), ior (an index,
-/// default 1.5), mirror (default false).
+/// blinn: as read_matt_and_gloss(), and c3 ([1e-4, 1], default 0.35), ior (an index, default 1.5).
 MaterialModel read_blinn(JsonReader& reader, const ColourReaders& colours) {
-    require_one_of(reader, {"k_d", "k_s"});
     renderer::BlinnMaterial blinn;
-    blinn.diffuse = factor_or_one(reader, "diffuse", colours);
-    blinn.specular = factor_or_one(reader, "specular", colours);
-    blinn.k_d = reader.number("k_d", kUnit, blinn.k_d);
-    blinn.k_s = reader.number("k_s", kUnit, blinn.k_s);
+    read_matt_and_gloss(reader, colours, blinn);
     blinn.c3 = reader.number("c3", kRoughness, blinn.c3);
     blinn.index = dielectric(index_or(reader, 1.5, colours));
-    blinn.mirror = reader.boolean("mirror", blinn.mirror);
     return blinn;
 }
 
