@@ -9,6 +9,7 @@
 #include "api/output_reader.h"
 #include "renderer/integrators/integrator_registry.h"
 #include "renderer/scene/scene_white.h"
+#include "renderer/spectrum/observer.h"
 
 namespace bouguer::api {
 namespace {
@@ -34,8 +35,8 @@ renderer::Filter read_filter(const JsonValue& value) {
     return filter;
 }
 
-/// integrator: type hall | rgb, max_depth, min_throughput, wavelength_step_nm (hall), filter,
-/// replicates.
+/// integrator: type hall | rgb, max_depth, min_throughput, wavelength_step_nm and observer (hall),
+/// filter, replicates.
 void read_integrator(const JsonValue& value, const Limits& limits,
                      renderer::RenderSettings& settings) {
     JsonReader reader(value);
@@ -49,6 +50,8 @@ void read_integrator(const JsonValue& value, const Limits& limits,
     if (settings.integrator == renderer::IntegratorType::Hall) {
         settings.wavelength_step_nm =
             reader.number("wavelength_step_nm", kWavelengthStep_nm, settings.wavelength_step_nm);
+        settings.observer =
+            reader.one_of("observer", renderer::observer_names(), settings.observer);
     }
     if (const auto at = reader.find("filter")) settings.filter = read_filter(*at);
     settings.replicates =

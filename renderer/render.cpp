@@ -43,7 +43,7 @@ class ProgressiveRender final : public Render {
         report_.health.dropped_triangles = scene_->dropped_triangles();
         if (settings.integrator == IntegratorType::Hall) {
             report_.bias.wavelength_relative =
-                quadrature_error(*scene_, settings.wavelength_step_nm);
+                quadrature_error(*scene_, settings.wavelength_step_nm, observer_of(settings));
         }
         begin_pass(0);
     }

@@ -39,6 +39,7 @@ struct RenderSettings {
     Real min_throughput = 1e-3;   ///< rays whose every component weighs less are not followed; what
                                   ///< they carry is reported
     Real wavelength_step_nm = 5;  ///< quadrature, [1, 100]
+    std::string observer = "cie1931-2";  ///< one of observers(); XYZ is his
     Filter filter;
     int replicates = 16;  ///< independent randomisations, for the error estimate, [2, 64]
     std::uint64_t seed = 1;

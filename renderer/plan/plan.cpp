@@ -147,9 +147,10 @@ SpectralBasis choose_basis(const Scene& scene, const SceneNeeds& needs,
     if (settings.integrator == IntegratorType::Rgb) return SpectralBasis::rgb();
     const auto all = emissions(scene);
     if (needs.wavelengths || !settings.specialise || all.empty()) {
-        return SpectralBasis::wavelengths(settings.wavelength_step_nm);
+        return SpectralBasis::wavelengths(settings.wavelength_step_nm, observer_of(settings));
     }
-    return SpectralBasis::grey(*all.front()->as_multiple().base, settings.wavelength_step_nm);
+    return SpectralBasis::grey(*all.front()->as_multiple().base, settings.wavelength_step_nm,
+                               observer_of(settings));
 }
 
 std::uint64_t film_memory_bytes(const RenderSettings& settings) {
@@ -160,8 +161,14 @@ std::uint64_t film_memory_bytes(const RenderSettings& settings) {
     return Film::memory_bytes(pixels, static_cast<std::uint32_t>(settings.replicates));
 }
 
-double quadrature_error(const Scene& scene, double step_nm) {
-    const std::array bases{SpectralBasis::wavelengths(1), SpectralBasis::wavelengths(step_nm)};
+const Observer& observer_of(const RenderSettings& settings) {
+    const Observer* observer = find_observer(settings.observer);
+    return observer != nullptr ? *observer : standard_observer();
+}
+
+double quadrature_error(const Scene& scene, double step_nm, const Observer& observer) {
+    const std::array bases{SpectralBasis::wavelengths(1, observer),
+                           SpectralBasis::wavelengths(step_nm, observer)};
     using Pair = std::array<std::vector<float>, 2>;  // the same spectrum in both bases
     std::vector<Pair> lamps;
     std::set<const Spectrum*> seen;

@@ -43,6 +43,10 @@ struct SceneNeeds {
 
 /// Largest relative error in X, Y or Z that the wavelength quadrature makes against 1 nm, over
 /// every lamp x material colour of the scene. No rays; exact for what light meets first.
-[[nodiscard]] double quadrature_error(const Scene& scene, double step_nm);
+[[nodiscard]] double quadrature_error(const Scene& scene, double step_nm,
+                                      const Observer& observer = standard_observer());
+
+/// The observer of a render; the standard one for a name that is not known.
+[[nodiscard]] const Observer& observer_of(const RenderSettings& settings);
 
 }  // namespace bouguer::renderer

@@ -41,6 +41,12 @@ const std::vector<Observer>& observers() {
     return all;
 }
 
+std::vector<std::string_view> observer_names() {
+    std::vector<std::string_view> names;
+    for (const Observer& observer : observers()) names.push_back(observer.name());
+    return names;
+}
+
 const Observer* find_observer(std::string_view name) {
     const auto it = std::find_if(observers().begin(), observers().end(),
                                  [&](const Observer& o) { return o.name() == name; });

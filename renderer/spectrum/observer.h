@@ -34,6 +34,8 @@ class Observer {
 
 /// Every observer: "cie1931-2" (the default), "cie1964-10", "cie2015-2", "cie2015-10".
 const std::vector<Observer>& observers();
+/// Their names, in that order.
+std::vector<std::string_view> observer_names();
 /// Null when there is none of that name.
 const Observer* find_observer(std::string_view name);
 /// The CIE 1931 2-degree observer.

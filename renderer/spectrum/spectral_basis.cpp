@@ -43,11 +43,12 @@ SpectralBasis SpectralBasis::rgb() {
     return basis;
 }
 
-SpectralBasis SpectralBasis::grey(const Spectrum& illuminant, double step_nm) {
+SpectralBasis SpectralBasis::grey(const Spectrum& illuminant, double step_nm,
+                                  const Observer& observer) {
     SpectralBasis basis;
     basis.name_ = "grey";
     basis.illuminant_ = illuminant.as_multiple().base;
-    const Xyz white = xyz_of(*basis.illuminant_, step_nm);
+    const Xyz white = xyz_of(*basis.illuminant_, step_nm, observer);
     basis.weights_.push_back({white.x, white.y, white.z});
     basis.split_weights();
     return basis;

@@ -25,7 +25,8 @@ class SpectralBasis {
     /// `illuminant`, whose shape is taken into the weights. Uses the quadrature of
     /// wavelengths(step_nm), so the picture is the same up to rounding. `illuminant` (or what it is
     /// a multiple of) outlives the basis.
-    static SpectralBasis grey(const Spectrum& illuminant, double step_nm);
+    static SpectralBasis grey(const Spectrum& illuminant, double step_nm,
+                              const Observer& observer = standard_observer());
 
     [[nodiscard]] std::size_t size() const { return weights_.size(); }
     [[nodiscard]] const std::string& name() const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/integrators/integrator_registry.h"
+#include "renderer/spectrum/observer.h"
 #include "server/cli/document.h"
 
 namespace bouguer::server {
@@ -48,6 +49,10 @@ void add_overrides(CLI::App& app, Overrides& o) {
         ->group(kGroup);
     app.add_option("--wavelength-step", o.wavelength_step, "spacing of the wavelengths, nm")
         ->check(within(1.0, 100.0))
+        ->group(kGroup);
+    const auto observers = renderer::observer_names();
+    app.add_option("--observer", o.observer, "whose colour-matching functions count")
+        ->check(CLI::IsMember(std::vector<std::string>(observers.begin(), observers.end())))
         ->group(kGroup);
     app.add_option("--max-depth", o.max_depth, "reflections and refractions in a row")
         ->check(CLI::Range(0, 64))

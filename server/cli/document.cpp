@@ -70,6 +70,7 @@ class Applier {
         }
         if (o_.seed) settings.seed = *o_.seed;
         if (o_.wavelength_step) settings.wavelength_step_nm = *o_.wavelength_step;
+        if (o_.observer) settings.observer = *o_.observer;
         if (o_.max_depth) settings.max_depth = *o_.max_depth;
         if (o_.resolution) {
             const int most = api::Limits().resolution;

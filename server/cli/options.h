@@ -23,6 +23,7 @@ struct Overrides {
     api::OutputTexts output;                ///< as in queries: "exposure" -> "auto"
     std::optional<std::string> resolution;  ///< "640x480"
     std::optional<double> wavelength_step;  ///< nm
+    std::optional<std::string> observer;
     std::optional<int> max_depth;
     bool operator==(const Overrides&) const = default;
 };

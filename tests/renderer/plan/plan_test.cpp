@@ -86,5 +86,27 @@ TEST(QuadratureError, VanishesAtOneNanometre) {
     EXPECT_GT(quadrature_error(*scene, 40), quadrature_error(*scene, 5));
 }
 
+// The light of D65 on grey, seen by each observer, as spectrum and as one number: the colour is
+// what the observer's own functions make of D65.
+TEST(Plan, LetsEveryObserverSee) {
+    const auto scene = SceneBuilder()
+                           .add(Sphere{}, matt(0.5))
+                           .light(PointLight{{0, 0, 5}, library_spectrum("D65")})
+                           .build();
+    for (const Observer& observer : observers()) {
+        const Xyz own = xyz_of(*library_spectrum("D65"), 5, observer);
+        for (const bool specialise : {false, true}) {
+            RenderSettings settings;
+            settings.observer = observer.name();
+            settings.specialise = specialise;
+            const SpectralBasis basis = choose_basis(*scene, analyse(*scene), settings);
+            const Xyz seen = basis.to_xyz(basis.emission(*library_spectrum("D65")).data());
+            EXPECT_NEAR(seen.x, own.x, 1e-6) << observer.name() << basis.name();
+            EXPECT_NEAR(seen.y, own.y, 1e-6) << observer.name() << basis.name();
+            EXPECT_NEAR(seen.z, own.z, 1e-6) << observer.name() << basis.name();
+        }
+    }
+}
+
 }  // namespace
 }  // namespace bouguer::renderer
