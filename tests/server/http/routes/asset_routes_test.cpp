@@ -89,11 +89,13 @@ TEST_F(AssetRoutesTest, SlowUploadsHoldUpEachOtherOnly) {
     EXPECT_TRUE(is_problem(third, 503, "busy")) << third.body;
     EXPECT_EQ(ask("POST", "/v1/scenes/validate", {}, "{}").status, 200);
     clients.clear();  // their room is free again
-    for (int i = 0; i < 100 && third.status != 201; ++i) {
+    // 200 where an attempt came before both slow ones had begun: then the file is there already.
+    const auto is_stored = [&] { return third.status == 201 || third.status == 200; };
+    for (int i = 0; i < 100 && !is_stored(); ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
         third = put(digest_, kObj);
     }
-    EXPECT_EQ(third.status, 201);
+    EXPECT_TRUE(is_stored()) << third.status;
 }
 
 TEST_F(AssetRoutesTest, ClientsLearnWhatIsMissing) {
