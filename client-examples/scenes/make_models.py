@@ -17,7 +17,7 @@ COPPER = {"hex": "#c98963"}  # about the colour that copper has in daylight
 MODELS = {
     "phong": {"type": "phong", "diffuse": COPPER, "k_d": 0.5, "k_s": 0.5, "n": 30},
     "blinn": {"type": "blinn", "diffuse": COPPER, "k_d": 0.5, "k_s": 1, "c3": 0.25, "ior": 2.5},
-    "cook-torrance": {"type": "cook_torrance", "metal": "Cu", "m": 0.4},
+    "cook-torrance": {"type": "cook_torrance", "metal": "Cu", "k_s": 0.5, "m": 0.35},
     "hall-greenberg": {"type": "hall_greenberg", "diffuse": COPPER, "k_dr": 0.25, "metal": "Cu", "k_sr": 0.75, "n": 30},
     "hall-greenberg-glass": {"type": "hall_greenberg", "transmittance": "cobalt", "k_sr": 1, "k_st": 1, "ior": "N-BK7",
                              "n": 200},
