@@ -4,7 +4,7 @@
 //     I = I_l (k_d R_d (L.N) + k_s C D G F / (N.V))
 //     D = (c3^2 / ((N.H)^2 (c3^2 - 1) + 1))^2
 //
-// D is the distribution that Blinn recommends, of Trowbridge and Reitz [1975]: ellipsoids of
+// D is the distribution that Blinn recommends, that of [Trowbridge and Reitz 1975]: ellipsoids of
 // eccentricity c3, 0 for a mirror and 1 for the roughest; its peak is 1, as printed there, and it
 // is not normalised. G is the shadowing of V-shaped grooves, F Fresnel's reflectance of a
 // dielectric.
