@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/materials/material.h"
 
-#include <algorithm>
+#include "renderer/materials/material_textures.h"
 
 namespace bouguer::renderer {
 
@@ -11,10 +11,7 @@ Surface bind(const MaterialDescription& material, const SpectralBasis& basis,
         std::visit([&](const auto& model) { return bind(model, basis, table); }, material.model);
     if (material.emission.spectrum)
         surface.emission = bind_emission(material.emission, basis, table);
-    const auto colours = needs_of(material).colours;
-    surface.has_texture =
-        material.emission.texture ||
-        std::any_of(colours.begin(), colours.end(), [](const auto& c) { return c.texture; });
+    surface.has_texture = !textures_of(material).empty();
     return surface;
 }
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
 
 #include "renderer/film/film.h"
 #include "renderer/integrators/integrator_registry.h"
+#include "renderer/materials/material_textures.h"
 #include "renderer/spectrum/refractive_index.h"
 
 namespace bouguer::renderer {
@@ -104,16 +104,9 @@ std::vector<PlanItem> list(const SceneNeeds& needs, const SpectralBasis& basis) 
 
 /// Of every texture in use, once.
 std::uint64_t texture_memory_bytes(const Scene& scene) {
-    std::set<const Texture*> textures;
-    for (const MaterialDescription* m : materials_in_use(scene)) {
-        textures.insert(m->emission.texture.get());
-        for (const SurfaceSpectrum& colour : needs_of(*m).colours)
-            textures.insert(colour.texture.get());
-    }
-    textures.erase(nullptr);
-    return std::accumulate(
-        textures.begin(), textures.end(), std::uint64_t{0},
-        [](std::uint64_t sum, const Texture* t) { return sum + t->memory_bytes(); });
+    TextureSet textures;
+    for (const MaterialDescription* m : materials_in_use(scene)) textures.merge(textures_of(*m));
+    return memory_bytes_of(textures);
 }
 
 }  // namespace
@@ -122,15 +115,13 @@ SceneNeeds analyse(const Scene& scene) {
     SceneNeeds needs;
     for (const MaterialDescription* m : materials_in_use(scene)) {
         const MaterialNeeds of = needs_of(*m);
-        const auto is_textured = [](const SurfaceSpectrum& s) { return s.texture != nullptr; };
         needs.transparency |= of.transmits;
         needs.refraction |= of.ior && (!of.ior->is_constant() || of.ior->at(kLineD_nm) != 1);
         needs.dispersion |= of.ior && !of.ior->is_constant();
         needs.absorption |= of.absorbs;
         needs.mirrors |= of.mirror;
         needs.emission |= m->emission.spectrum != nullptr;
-        needs.textures |= is_textured(m->emission) ||
-                          std::any_of(of.colours.begin(), of.colours.end(), is_textured);
+        needs.textures |= !textures_of(*m).empty();
     }
     needs.ambient = scene.ambient() && scene.ambient()->k_a > 0;
     needs.hemisphere =

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server/jobs/memory_estimate.h"
 
-#include <set>
-
 #include "renderer/film/film.h"
+#include "renderer/materials/material_textures.h"
 
 namespace bouguer::server {
 namespace {
@@ -19,15 +18,10 @@ constexpr std::uint64_t kPictureBytes = 4 * 3 * sizeof(float);
 
 /// Of every texture once, however many surfaces have it.
 std::uint64_t texture_memory_bytes(const renderer::SceneDescription& scene) {
-    std::set<renderer::TexturePtr> textures;
-    for (const renderer::MaterialDescription& material : scene.materials) {
-        for (const auto& colour : needs_of(material).colours) textures.insert(colour.texture);
-        textures.insert(material.emission.texture);
-    }
-    textures.erase(nullptr);
-    std::uint64_t bytes = 0;
-    for (const renderer::TexturePtr& texture : textures) bytes += texture->memory_bytes();
-    return bytes;
+    renderer::TextureSet textures;
+    for (const renderer::MaterialDescription& material : scene.materials)
+        textures.merge(renderer::textures_of(material));
+    return renderer::memory_bytes_of(textures);
 }
 
 }  // namespace
