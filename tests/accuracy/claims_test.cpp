@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/scene_files.h"
+#include "tests/support/source_folder.h"
 
 namespace bouguer::test {
 namespace {
@@ -12,8 +13,7 @@ namespace {
 // Figure 4(d) at 40 x 30: claimed over true error within [0.9, 1.1]. The truth is the root mean
 // square over 12 seeds, 1200 pixels and 3 channels, which spreads by about 1 %.
 TEST(ClaimedError, IsTheTrueErrorOfFigure4d) {
-    auto job =
-        load_job(std::string(BOUGUER_SOURCE_DIR) + "/client-examples/scenes/lee/figure-4d.json");
+    auto job = load_job(tests::source_folder() / "client-examples/scenes/lee/figure-4d.json");
     job.settings.resolution = {40, 30};
     ClaimSettings claims;
     claims.seeds = 12;

@@ -7,6 +7,7 @@
 #include "renderer/spectrum/spectra.h"
 #include "tests/accuracy/flat_faces.h"
 #include "tests/support/scene_files.h"
+#include "tests/support/source_folder.h"
 
 namespace bouguer::test {
 
@@ -39,7 +40,7 @@ double worst_delta_e(const std::vector<PatchColour>& patches) {
 
 std::vector<PublishedChart> published_charts() {
     std::istringstream table(
-        read_file(BOUGUER_SOURCE_DIR "/tests/accuracy/data/colorchecker_published.csv"));
+        read_file(tests::source_folder() / "tests/accuracy/data/colorchecker_published.csv"));
     // Rows: chart, patch, L, a, b; a line that begins with # says where they are from.
     std::vector<PublishedChart> charts;
     std::string line, chart, patch;

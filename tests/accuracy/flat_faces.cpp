@@ -6,6 +6,7 @@
 #include "renderer/geometry/bounds.h"
 #include "tests/support/parallel_render.h"
 #include "tests/support/scene_files.h"
+#include "tests/support/source_folder.h"
 
 namespace bouguer::test {
 namespace {
@@ -45,7 +46,7 @@ Xyz mean_over(const Picture& picture, Real x0, Real x1, Real y0, Real y1) {
 }  // namespace
 
 api::JobRequest example_job(const std::string& path, const Replacements& replacements) {
-    const std::filesystem::path file = BOUGUER_SOURCE_DIR "/client-examples/scenes/" + path;
+    const auto file = tests::source_folder() / "client-examples/scenes" / path;
     std::string text = read_file(file);
     for (const auto& [from, to] : replacements) {
         const std::size_t at = text.find(from);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "api/job_document.h"
+#include "tests/support/source_folder.h"
 
 namespace bouguer::api {
 namespace {
@@ -34,7 +35,7 @@ class FolderAssets final : public AssetSource {
 
 TEST(ExampleScenes, AreAccepted) {
     std::size_t scenes = 0;
-    const fs::path root = BOUGUER_SOURCE_DIR "/client-examples/scenes";
+    const fs::path root = tests::source_folder() / "client-examples/scenes";
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
         if (entry.path().extension() != ".json") continue;
         ++scenes;

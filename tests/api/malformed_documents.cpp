@@ -6,13 +6,15 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tests/support/source_folder.h"
+
 namespace bouguer::tests {
 namespace {
 
 using Json = nlohmann::json;
 
 Json read_table() {
-    std::ifstream file(BOUGUER_SOURCE_DIR "/tests/api/malformed_documents.json");
+    std::ifstream file(source_folder() / "tests/api/malformed_documents.json");
     return Json::parse(file);
 }
 

@@ -9,6 +9,7 @@
 
 #include "api/limits.h"
 #include "renderer/spectrum/display.h"
+#include "tests/support/source_folder.h"
 
 namespace bouguer::api {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(OpenApi, IsTheFileOfTheRepository) {
-    std::ifstream file(BOUGUER_SOURCE_DIR "/api/openapi.json");
+    std::ifstream file(tests::source_folder() / "api/openapi.json");
     std::ostringstream text;
     text << file.rdbuf();
     EXPECT_EQ(openapi_json(), text.str());

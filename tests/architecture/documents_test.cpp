@@ -9,11 +9,13 @@
 #include <set>
 #include <string>
 
+#include "tests/support/source_folder.h"
+
 namespace bouguer::tests {
 namespace {
 
 std::string text_of(const std::string& path) {
-    std::ifstream in(std::string(BOUGUER_SOURCE_DIR) + "/" + path, std::ios::binary);
+    std::ifstream in(source_folder() / path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/architecture/include_rules.h"
+#include "tests/support/source_folder.h"
 
 namespace bouguer::tests {
 namespace {
@@ -28,7 +29,7 @@ std::string text_of(const fs::path& file) {
 
 // Every source of the repository.
 TEST(Includes, FollowTheLayersAndTheRooms) {
-    const fs::path root = BOUGUER_SOURCE_DIR;
+    const fs::path root = source_folder();
     int sources = 0;
     for (const char* folder : {"renderer", "api", "server", "tests"}) {
         for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {

@@ -9,6 +9,7 @@
 
 #include "server/web/web_assets.h"
 #include "tests/server/http/server_fixture.h"
+#include "tests/support/source_folder.h"
 
 namespace bouguer::server::testing {
 namespace {
@@ -36,7 +37,7 @@ std::string with_names(const std::string& path) {
 
 std::string text_of_folder(const std::string& folder) {
     std::ostringstream all;
-    const auto root = std::filesystem::path(BOUGUER_SOURCE_DIR) / folder;
+    const auto root = tests::source_folder() / folder;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
         if (entry.path().extension() == ".cpp") all << std::ifstream(entry.path()).rdbuf();
     }
@@ -121,7 +122,7 @@ TEST_F(WebRoutesTest, EveryCodeOfADocumentsProblemsIsExplained) {
     start();
     const std::string page = ask("GET", "/docs/problems").body;
     std::ostringstream text;
-    text << std::ifstream(std::string(BOUGUER_SOURCE_DIR) + "/api/openapi.yaml").rdbuf();
+    text << std::ifstream(tests::source_folder() / "api/openapi.yaml").rdbuf();
     const std::string contract = text.str();
     const std::size_t begin = contract.find("    DocumentProblem:");
     ASSERT_NE(begin, std::string::npos);
