@@ -8,12 +8,28 @@ daemon serves. Run it after every change of those files; it needs PyYAML.
 """
 import json
 import pathlib
+import re
 import sys
 
 import yaml
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 SCHEMAS = {"scene.schema.json": "Scene", "job.schema.json": "Job"}
+
+
+class CoreLoader(yaml.SafeLoader):
+    """Reads plain scalars by the core schema of YAML 1.2 [YAML 1.2.2, section 10.3.2], as OpenAPI asks for. PyYAML reads
+    YAML 1.1, where 1e30 is a text, `no` is false and 2001-12-14 is a date."""
+
+
+CoreLoader.yaml_implicit_resolvers = {}
+for tag, pattern, first in (
+    ("null", r"~|null|Null|NULL|", ["~", "n", "N", ""]),
+    ("bool", r"true|True|TRUE|false|False|FALSE", "tTfF"),
+    ("int", r"[-+]?[0-9]+", "-+0123456789"),
+    ("float", r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?", "-+.0123456789"),
+):
+    CoreLoader.add_implicit_resolver(f"tag:yaml.org,2002:{tag}", re.compile(f"(?:{pattern})$"), list(first))
 
 
 def component_of(ref, file):
@@ -41,7 +57,7 @@ def relinked(node, file):
 
 
 def bundle():
-    whole = relinked(yaml.safe_load((FOLDER / "openapi.yaml").read_text()), "openapi.yaml")
+    whole = relinked(yaml.load((FOLDER / "openapi.yaml").read_text(), CoreLoader), "openapi.yaml")
     components = whole["components"]["schemas"]
     for file, name in SCHEMAS.items():
         schema = json.loads((FOLDER / file).read_text())

@@ -2,34 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Holds the JSON Schemas of api/ to the documents: every scene of client-examples and the well-formed document of
 malformed_documents.json passes, every malformed document is refused, but for those whose row says `beyond_schema`
-(names, geometry and sums are more than a schema can judge), which pass. Also: openapi.json is that of openapi.yaml, and
-every example in the schemas is one.
+(names, geometry and sums are more than a schema can judge), which pass. Also: every example in the schemas is one.
 
-Needs Python 3.9 with venv; jsonschema and PyYAML go into build/schema-check, once. Usage: tests/api/check_schemas.py
+Needs Python 3.9 with venv; jsonschema goes into build/schema-check, once. Usage: tests/api/check_schemas.py
 """
 import json
-import os
 import pathlib
-import subprocess
 import sys
-import venv
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PACKAGES = ["jsonschema==4.23.0", "PyYAML==6.0.2"]
-FOLDER = ROOT / "build" / "schema-check"
-
-
-def enter_venv():
-    """Goes on in an environment that has PACKAGES."""
-    python = FOLDER / "bin" / "python"
-    stamp = FOLDER / "installed.txt"
-    if not stamp.exists() or stamp.read_text() != " ".join(PACKAGES):
-        venv.create(FOLDER, with_pip=True, clear=True)
-        subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PACKAGES], check=True)
-        stamp.write_text(" ".join(PACKAGES))
-    if os.environ.get("BOUGUER_SCHEMA_CHECK") != str(FOLDER):
-        os.environ["BOUGUER_SCHEMA_CHECK"] = str(FOLDER)
-        os.execv(python, [str(python), *sys.argv])
+sys.path.insert(0, str(ROOT / "tests" / "support"))
+import python_packages
 
 
 def patched(base, operations):
@@ -133,15 +116,12 @@ def check_table(faults, validators):
 
 
 def main():
-    enter_venv()
+    python_packages.enter("schema-check", ["jsonschema==4.23.0"])
     faults = []
     validators = make_validators()
     scenes = check_scenes(faults, validators)
     judged = check_table(faults, validators)
     check_examples(faults, validators)
-    made = subprocess.run([sys.executable, ROOT / "api" / "make_openapi_json.py", "--check"], capture_output=True, text=True)
-    if made.returncode:
-        faults.append(made.stderr.strip())
     print(f"{scenes} scenes, {judged} malformed documents, {len(faults)} faults")
     sys.exit("\n".join(faults) or None)
 

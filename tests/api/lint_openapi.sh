@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Lints api/openapi.yaml, and with it the schemas that it names, with Redocly's linter: no error and no warning. Needs
-# node 18 or later and npm; the linter goes into build/openapi-lint, once. Usage: tests/api/lint_openapi.sh
+# Lints api/openapi.yaml, and with it the schemas that it names, and api/openapi.json, which is served, with Redocly's
+# linter: no error and no warning. Needs node 18 or later and npm; the linter goes into build/openapi-lint, once.
+# Usage: tests/api/lint_openapi.sh
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -12,11 +13,8 @@ if node -e 'const [a, b] = process.versions.node.split("."); process.exit(a > 20
 fi
 folder=build/openapi-lint
 
-if [[ ! -e "$folder/installed-$(basename "$linter")" ]]; then
-    rm -rf "$folder"
-    mkdir -p "$folder"
-    npm install --prefix "$folder" --save-exact --no-audit --no-fund --loglevel=error "$linter"
-    touch "$folder/installed-$(basename "$linter")"
-fi
+# shellcheck source=tests/support/node_packages.sh
+source tests/support/node_packages.sh
+node_packages "$folder" "$linter"
 export REDOCLY_TELEMETRY=off REDOCLY_SUPPRESS_UPDATE_NOTICE=true
-exec "$folder/node_modules/.bin/redocly" lint --extends=recommended-strict api/openapi.yaml
+exec "$folder/node_modules/.bin/redocly" lint --extends=recommended-strict api/openapi.yaml api/openapi.json

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "api/limits.h"
@@ -33,6 +34,65 @@ TEST(OpenApi, StandsAlone) {
         const auto target = value.get<std::string>();
         ASSERT_TRUE(target.starts_with("#/")) << place << " " << target;
         EXPECT_TRUE(whole.contains(Json::json_pointer(target.substr(1)))) << place << " " << target;
+    }
+}
+
+/// Every value that is not an object or array, with its JSON pointer, but for those in examples,
+/// which may be of any form.
+std::vector<std::pair<std::string, Json>> leaves_outside_examples() {
+    std::vector<std::pair<std::string, Json>> leaves;
+    const Json flat = Json::parse(openapi_json()).flatten();
+    for (const auto& [place, value] : flat.items()) {
+        const bool is_example = place.find("/example/") != std::string::npos ||
+                                place.find("/examples/") != std::string::npos;
+        if (!is_example) leaves.emplace_back(place, value);
+    }
+    return leaves;
+}
+
+std::string last_of(const std::string& pointer) { return pointer.substr(pointer.rfind('/') + 1); }
+
+// A bound such as 1e30 is a text to readers of YAML 1.1.
+TEST(OpenApi, BoundsAreNumbers) {
+    const std::set<std::string> bounds{
+        "minimum",    "maximum",       "exclusiveMinimum", "exclusiveMaximum",
+        "multipleOf", "minItems",      "maxItems",         "minLength",
+        "maxLength",  "minProperties", "maxProperties",
+    };
+    std::size_t count = 0;
+    for (const auto& [place, value] : leaves_outside_examples()) {
+        if (!bounds.contains(last_of(place))) continue;
+        ++count;
+        EXPECT_TRUE(value.is_number()) << place << " " << value;
+    }
+    EXPECT_GT(count, 100U);
+}
+
+// JSON Schema allows more, but generators of clients take `true` for no schema and a constant for a
+// text, a whole number or a truth value.
+TEST(OpenApi, IsWrittenForGenerators) {
+    for (const auto& [place, value] : leaves_outside_examples()) {
+        EXPECT_EQ(place.find("/const/"), std::string::npos) << place << " is within a constant";
+        const std::string last = last_of(place);
+        if (last == "const") {
+            EXPECT_FALSE(value.is_number_float()) << place << " " << value;
+            continue;
+        }
+        const bool is_flag = last == "required" || last == "default" ||
+                             last == "additionalProperties" || last == "deprecated";
+        EXPECT_TRUE(!value.is_boolean() || is_flag) << place << " is a schema without words";
+    }
+}
+
+TEST(OpenApi, SaysOfEveryOperationHowItMayBeRefused) {
+    const Json whole = Json::parse(openapi_json());
+    const Json refused{{"$ref", "#/components/responses/Refused"}};
+    for (const auto& [path, operations] : whole["paths"].items()) {
+        for (const auto& [method, operation] : operations.items()) {
+            if (method == "parameters") continue;
+            EXPECT_EQ(operation["responses"].value("default", Json()), refused)
+                << method << " " << path;
+        }
     }
 }
 
