@@ -3,9 +3,17 @@
 
 namespace bouguer::server {
 
+namespace {
+constexpr std::string_view kRetry = "retry: 2000\n";  // milliseconds
+}
+
 std::string to_event_text(const JobEvent& event) {
-    return "id: " + std::to_string(event.id) + "\nevent: " + event.type + "\ndata: " + event.data +
-           "\n\n";
+    std::string text;
+    if (event.type == "snapshot") text += kRetry;
+    text += "id: ";
+    text += event.type == "done" ? std::string(kDoneEventId) : std::to_string(event.id);
+    text += "\nevent: " + event.type + "\ndata: " + event.data + "\n\n";
+    return text;
 }
 
 void EventInbox::push(const JobEvent& event) {

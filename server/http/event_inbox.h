@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "server/jobs/job_service.h"
 
@@ -51,7 +52,12 @@ class EventInbox {
     bool overflow_ = false;
 };
 
-/// One event as text/event-stream. `data` is one line.
+/// The id under which every "done" event goes out. A word, because numbers begin anew with the
+/// process: a client that comes back with it has seen the end, whichever process told it.
+inline constexpr std::string_view kDoneEventId = "done";
+
+/// One event as text/event-stream [HTML §9.2.6]. `data` is one line. The first, "snapshot", also
+/// says how long a browser is to wait before it opens a broken stream again.
 [[nodiscard]] std::string to_event_text(const JobEvent& event);
 
 }  // namespace bouguer::server

@@ -36,7 +36,7 @@ struct ResultFile {
 
 /// One thing that happened to a job.
 struct JobEvent {
-    std::uint64_t id = 0;  ///< grows within a job and process
+    std::uint64_t id = 0;  ///< grows within a job and process; begins anew in the next process
     std::string type;  ///< "snapshot", "progress", "preview", "done" (done: any final state, the
                        ///< last event)
     std::string data;  ///< JSON text, one line

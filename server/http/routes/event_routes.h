@@ -9,7 +9,8 @@
 namespace bouguer::server {
 
 /// The first event is a snapshot, also for a client that comes back with Last-Event-ID: what it
-/// missed is in there. "done" is the last. `jobs` outlives the router.
+/// missed is in there. "done" is the last. A client that comes back with the id of "done" gets 204,
+/// which tells a browser to come no more [HTML §9.2.3]. `jobs` outlives the router.
 void add_event_routes(Router& router, JobService& jobs, const HttpOptions& options);
 
 }  // namespace bouguer::server

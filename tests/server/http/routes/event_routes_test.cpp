@@ -55,6 +55,51 @@ TEST_F(EventRoutesTest, AnEndedJobGivesSnapshotAndDone) {
     EXPECT_TRUE(client.is_closed());
 }
 
+TEST_F(EventRoutesTest, WhoWasToldTheEndIsToldToComeNoMore) {
+    start();
+    const JobId id = jobs.add();
+    jobs.finish(id);
+    RawClient client = connect();
+    client.send(request_text("GET", path_of(id, "/events")));
+    EXPECT_NE(client.receive_until("event: done").find("id: done\nevent: done"), std::string::npos);
+    const auto again = ask("GET", path_of(id, "/events"), {"Last-Event-ID: done"});
+    EXPECT_EQ(again.status, 204);
+    EXPECT_EQ(again.body, "");
+    EXPECT_EQ(jobs.listeners(), 0U);
+    EXPECT_EQ(ask("GET", path_of("01890000-0000-7000-8000-ffffffffffff", "/events"),
+                  {"Last-Event-ID: done"})
+                  .status,
+              404);
+}
+
+TEST_F(EventRoutesTest, ANumberOfAnotherProcessIsNotTheEnd) {
+    start();
+    const JobId id = jobs.add();
+    jobs.finish(id);
+    for (const char* last_id : {"Last-Event-ID: 2", "Last-Event-ID: ", "Last-Event-ID: done1"}) {
+        RawClient client = connect();
+        client.send(request_text("GET", path_of(id, "/events"), {last_id}));
+        EXPECT_NE(client.receive_until("event: done").find("event: snapshot"), std::string::npos);
+    }
+}
+
+TEST_F(EventRoutesTest, TheWordForTheEndOfARunningJobIsNotBelieved) {
+    start();
+    const JobId id = jobs.add();
+    RawClient client = connect();
+    client.send(request_text("GET", path_of(id, "/events"), {"Last-Event-ID: done"}));
+    EXPECT_NE(client.receive_until("snapshot").find("200 OK"), std::string::npos);
+}
+
+TEST_F(EventRoutesTest, SaysWhenToComeBack) {
+    start();
+    const JobId id = jobs.add();
+    RawClient client = connect();
+    client.send(request_text("GET", path_of(id, "/events")));
+    EXPECT_NE(client.receive_until("snapshot").find("\r\n\r\nretry: 2000\nid: "),
+              std::string::npos);
+}
+
 TEST_F(EventRoutesTest, ProgressIsThinnedOut) {
     HttpOptions options;
     options.deadlines.progress_interval = milliseconds(100);
