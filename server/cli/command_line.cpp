@@ -116,6 +116,12 @@ void add_serve(CLI::App& app, ServeOptions& o) {
     app.add_option("--cors-origin", o.cors_origins,
                    "origin of web pages elsewhere that may call the API; may be repeated")
         ->type_name("ORIGIN");
+    app.add_option("--drain-delay", o.drain_delay_s,
+                   "seconds after SIGTERM in which /readyz says 503 and no job is taken, but all "
+                   "else is served; then the daemon closes. A second signal ends it at once")
+        ->check(CLI::Range(0, 3600))
+        ->type_name("SECONDS")
+        ->capture_default_str();
 }
 
 void add_render(CLI::App& app, RenderOptions& o) {

@@ -4,6 +4,8 @@
 #include <signal.h>
 #include <time.h>
 
+#include <initializer_list>
+
 namespace bouguer::server {
 namespace {
 
@@ -15,12 +17,21 @@ sigset_t stop_signals() {
     return set;
 }
 
+void dispose(void (*action)(int)) {
+    for (const int signal : {SIGHUP, SIGUSR1, SIGUSR2}) (void)::signal(signal, action);
+}
+
 }  // namespace
+
+IgnoredSignals::IgnoredSignals() { dispose(SIG_IGN); }
+IgnoredSignals::~IgnoredSignals() { dispose(SIG_DFL); }
 
 StopSignal::StopSignal() {
     const sigset_t set = stop_signals();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
 }
+
+StopSignal::~StopSignal() { let_the_next_one_kill(); }
 
 void StopSignal::let_the_next_one_kill() {
     has_come_ = true;

@@ -25,11 +25,11 @@ fail() {
     exit 1
 }
 
-# On $work/data, with two threads.
+# start_daemon [option of serve ...]: on $work/data, with two threads.
 start_daemon() {
     rm -f "$work/data/port"
     "$bouguer" serve --listen 127.0.0.1:0 --data "$work/data" --assets "$source_dir/client-examples/scenes/lee" \
-        --threads 2 >>"$work/out" 2>>"$work/log" &
+        --threads 2 "$@" >>"$work/out" 2>>"$work/log" &
     daemon=$!
     for _ in $(seq 200); do
         if [ -s "$work/data/port" ]; then

@@ -28,9 +28,10 @@ TEST(CommandLine, ServeListensToThisMachineOnlyByDefault) {
 }
 
 TEST(CommandLine, ReadsServe) {
-    const auto serve = options<ServeOptions>(
-        {"serve", "--listen", "0.0.0.0:0", "--allow-remote", "--data", "d", "--assets", "a",
-         "--threads", "3", "--queue", "7", "--cors-origin", "https://a.example"});
+    const auto serve =
+        options<ServeOptions>({"serve", "--listen", "0.0.0.0:0", "--allow-remote", "--data", "d",
+                               "--assets", "a", "--threads", "3", "--queue", "7", "--cors-origin",
+                               "https://a.example", "--drain-delay", "15"});
     EXPECT_EQ(serve.listen, "0.0.0.0:0");
     EXPECT_TRUE(serve.allow_remote);
     EXPECT_EQ(serve.data, "d");
@@ -38,6 +39,7 @@ TEST(CommandLine, ReadsServe) {
     EXPECT_EQ(serve.threads, 3);
     EXPECT_EQ(serve.queue, 7U);
     EXPECT_EQ(serve.cors_origins, std::vector<std::string>{"https://a.example"});
+    EXPECT_EQ(serve.drain_delay_s, 15);
 }
 
 TEST(CommandLine, ReadsRender) {

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/cli/daemon.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <thread>
+
+#include "api/json_builder.h"
+#include "server/http/http_server.h"
+#include "server/jobs/job_manager.h"
+#include "server/log.h"
+#include "server/storage/folder_asset_source.h"
+#include "server/storage/folder_asset_store.h"
+#include "server/storage/folder_result_store.h"
+#include "server/storage/sqlite_job_store.h"
+
+namespace bouguer::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Half of the machine's memory.
+std::uint64_t default_memory_bytes() {
+    const long pages = sysconf(_SC_PHYS_PAGES);
+    const long page_bytes = sysconf(_SC_PAGESIZE);
+    if (pages <= 0 || page_bytes <= 0) return SchedulerLimits().memory_bytes;
+    return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page_bytes) / 2;
+}
+
+/// As many open files as the system lets us have: connections need one each.
+void raise_descriptor_limit() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+    limit.rlim_cur = limit.rlim_max;
+    (void)setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+JobManagerOptions manager_options(const ServeOptions& options) {
+    JobManagerOptions result;
+    result.threads = options.threads > 0 ? options.threads
+                                         : static_cast<int>(std::thread::hardware_concurrency());
+    result.scheduler.tasks = options.queue;
+    result.scheduler.memory_bytes =
+        options.memory_gib > 0 ? static_cast<std::uint64_t>(options.memory_gib * (1U << 30U))
+                               : default_memory_bytes();
+    result.documents.memory_bytes =
+        std::min(result.documents.memory_bytes, result.scheduler.memory_bytes);
+    return result;
+}
+
+void log_request(const AccessRecord& record) {
+    log_event(record.error.empty() ? LogLevel::Info : LogLevel::Error, "request",
+              {{"request_id", record.request_id},
+               {"method", record.method},
+               {"path", record.path},
+               {"status", std::to_string(record.status)},
+               {"milliseconds", api::json_number(record.milliseconds)},
+               {"bytes", std::to_string(record.bytes)},
+               {"client", record.client},
+               {"error", record.error}});
+}
+
+Result<void> make_folders(const ServeOptions& options, const fs::path& assets) {
+    std::error_code error;
+    fs::create_directories(options.data, error);
+    if (!error) fs::create_directories(assets, error);
+    if (!error) return {};
+    return fail(ErrorKind::Internal, "cannot make the data folder: " + error.message());
+}
+
+}  // namespace
+
+/// In the order in which they need each other.
+struct Daemon::Parts {
+    std::unique_ptr<SqliteJobStore> jobs;
+    std::unique_ptr<FolderResultStore> results;
+    std::unique_ptr<FolderAssetStore> uploads;
+    std::unique_ptr<FolderAssetSource> assets;
+    std::unique_ptr<JobManager> manager;
+    std::unique_ptr<HttpServer> http;
+};
+
+Daemon::Daemon(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Daemon::~Daemon() = default;
+Daemon::Daemon(Daemon&& other) noexcept = default;
+Daemon& Daemon::operator=(Daemon&& other) noexcept = default;
+
+Result<Daemon> Daemon::start(const ServeOptions& options, const ListenAddress& address) {
+    raise_descriptor_limit();
+    auto made_parts = std::make_unique<Parts>();
+    Parts& parts = *made_parts;
+    const fs::path assets = options.assets.empty() ? options.data / "assets" : options.assets;
+    if (auto made = make_folders(options, assets); !made) return tl::unexpected(made.error());
+    auto jobs = SqliteJobStore::open(options.data / "jobs.sqlite");
+    if (!jobs) return tl::unexpected(jobs.error());
+    parts.jobs = std::move(*jobs);
+    auto results = FolderResultStore::open(options.data / "results");
+    if (!results) return tl::unexpected(results.error());
+    parts.results = std::move(*results);
+    const fs::path uploads = options.data / "assets";
+    auto store = FolderAssetStore::open(uploads);
+    if (!store) return tl::unexpected(store.error());
+    parts.uploads = std::move(*store);
+    parts.assets = std::make_unique<FolderAssetSource>(assets, uploads);
+    parts.manager = std::make_unique<JobManager>(*parts.jobs, *parts.results, *parts.assets,
+                                                 manager_options(options));
+    if (auto started = parts.manager->start(); !started) return tl::unexpected(started.error());
+    HttpOptions http;
+    http.host = address.host;
+    http.port = address.port;
+    http.cors_origins = options.cors_origins;
+    auto server = HttpServer::start(*parts.manager, *parts.uploads, http, log_request);
+    if (!server) return tl::unexpected(server.error());
+    parts.http = std::move(*server);
+    return Daemon(std::move(made_parts));
+}
+
+int Daemon::port() const { return parts_->http->port(); }
+
+void Daemon::refuse_new_jobs() { parts_->manager->refuse_new(); }
+
+void Daemon::drain() {
+    refuse_new_jobs();
+    parts_->http->drain();
+    parts_->http.reset();
+    parts_->manager->stop();
+}
+
+}  // namespace bouguer::server
