@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <chrono>
 #include <iostream>
 #include <thread>
@@ -8,6 +10,7 @@
 #include "server/cli/daemon.h"
 #include "server/cli/document.h"
 #include "server/cli/stop_signal.h"
+#include "server/line_writer.h"
 #include "server/log.h"
 #include "server/storage/durable_file.h"
 
@@ -35,8 +38,15 @@ class PortFile {
     fs::path path_;
 };
 
-void announce(const ListenAddress& address) {
-    std::cout << "listening on " << url_of(address) << std::endl;
+/// On standard output, which nobody may be reading either.
+std::unique_ptr<LineWriter> standard_output() {
+    return std::make_unique<LineWriter>(STDOUT_FILENO, [](std::uint64_t lines) {
+        return std::to_string(lines) + " lines were lost\n";
+    });
+}
+
+void announce(LineWriter& out, const ListenAddress& address) {
+    out.add("listening on " + url_of(address) + "\n");
     log_event(LogLevel::Info, "listening", {{"url", url_of(address)}});
     if (is_loopback(address.host)) return;
     log_event(LogLevel::Warning, "open-to-all",
@@ -65,7 +75,8 @@ Result<void> serve(const ServeOptions& options, const ListenAddress& asked) {
     const ListenAddress address{asked.host, daemon->port()};
     const PortFile port_file(options.data / "port");
     if (auto written = port_file.write(address.port); !written) return written;
-    announce(address);
+    const auto out = standard_output();
+    announce(*out, address);
     stop.wait();
     end(*daemon, options);
     return {};
