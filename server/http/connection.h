@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "server/file_descriptor.h"
 #include "server/http/exchange.h"
-#include "server/http/file_descriptor.h"
 #include "server/http/request_reader.h"
 
 namespace bouguer::server {

@@ -23,6 +23,7 @@ constexpr std::chrono::milliseconds kLookInterval{50};  // how exact deadlines a
 constexpr std::string_view kContinue = "HTTP/1.1 100 Continue\r\n\r\n";
 
 constexpr Refusal kOverloaded{503, "busy", "The server is busy; try again shortly."};
+constexpr Refusal kUnreadable{500, "storage-failed", "A stored file cannot be read."};
 constexpr Refusal kTooSlow{408, "request-timeout", "The request did not arrive in time."};
 
 void watch(int epoll, int fd, std::uint64_t id, std::uint32_t events) {
@@ -108,6 +109,13 @@ void ConnectionFront::run() {
 void ConnectionFront::work(std::unique_ptr<Exchange> exchange) {
     exchange->waiting.reset();
     parts_.handle(*exchange);
+    if (auto got = exchange->content.read(0, exchange->content.size(), exchange->answer); !got) {
+        exchange->error = got.error().message;
+        exchange->status = kUnreadable.status;
+        exchange->answer = refusal_bytes(kUnreadable, exchange->request_id);
+        exchange->close = true;
+    }
+    exchange->content = {};
     if (!exchange->stream && !exchange->waiting) log(*exchange);
     const std::uint64_t connection = exchange->connection;
     mail_->post({connection, std::move(exchange)});

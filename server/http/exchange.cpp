@@ -9,7 +9,7 @@ AccessRecord access_record(const Exchange& exchange) {
             .path = exchange.head.target.empty() ? "-" : exchange.head.target,
             .status = exchange.status,
             .milliseconds = spent.count(),
-            .bytes = exchange.answer.size(),
+            .bytes = exchange.answer.size() + exchange.content.size(),
             .request_id = exchange.request_id,
             .client = exchange.client,
             .error = exchange.error};

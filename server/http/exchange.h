@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "server/content.h"
 #include "server/http/event_inbox.h"
 #include "server/http/http_options.h"
 #include "server/http/request_head.h"
@@ -43,6 +44,7 @@ struct Exchange {
 
     int status = 0;
     std::string answer;  ///< head and body as they go over the wire
+    Content content;     ///< more of the body, sent after `answer`
     std::string error;   ///< for the log alone
     std::unique_ptr<EventStream> stream;
     std::unique_ptr<Waiting> waiting;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "renderer/core/result.h"
-#include "server/http/file_descriptor.h"
+#include "server/file_descriptor.h"
 
 namespace bouguer::server {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/http/file_descriptor.h"
+#include "server/file_descriptor.h"
 
 namespace bouguer::server {
 

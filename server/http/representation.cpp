@@ -22,18 +22,18 @@ bool range_applies(const httplib::Request& request, const std::string& quoted_ta
     return !request.has_header("If-Range") || request.get_header_value("If-Range") == quoted_tag;
 }
 
-void send_part(httplib::Response& response, const std::string& bytes, ByteRange range) {
+Content part_of(const Content& whole, ByteRange range, httplib::Response& response) {
     response.status = 206;
     response.set_header("Content-Range", "bytes " + std::to_string(range.first) + '-' +
                                              std::to_string(range.first + range.length - 1) + '/' +
-                                             std::to_string(bytes.size()));
-    response.body = bytes.substr(range.first, range.length);
+                                             std::to_string(whole.size()));
+    return whole.part(range.first, range.length);
 }
 
 }  // namespace
 
 Representation representation_of(ResultFile file) {
-    return {.bytes = std::move(file.bytes),
+    return {.content = std::move(file.content),
             .media_type = std::move(file.media_type),
             .tag = std::move(file.digest),
             .immutable = file.final,
@@ -46,7 +46,7 @@ Representation json_representation(std::string json) {
 
 Representation made_representation(std::string bytes, std::string media_type) {
     std::string tag = api::sha256_hex(bytes).substr(0, 32);
-    return {.bytes = std::move(bytes),
+    return {.content = std::move(bytes),
             .media_type = std::move(media_type),
             .tag = std::move(tag),
             .immutable = false,
@@ -67,7 +67,7 @@ std::optional<std::size_t> choose_type(const httplib::Request& request, httplib:
 }
 
 void send_representation(const httplib::Request& request, httplib::Response& response,
-                         Representation representation, std::string_view request_id) {
+                         Representation representation, Exchange& exchange) {
     const std::string tag = '"' + representation.tag + '"';
     response.status = 200;
     response.set_header("ETag", tag);
@@ -80,20 +80,21 @@ void send_representation(const httplib::Request& request, httplib::Response& res
     }
     RangeRequest wanted;
     if (representation.ranges && request.method == "GET" && range_applies(request, tag)) {
-        wanted = parse_range_field(request.get_header_value("Range"), representation.bytes.size());
+        wanted =
+            parse_range_field(request.get_header_value("Range"), representation.content.size());
     }
     if (wanted.kind == RangeRequest::Kind::NotSatisfiable) {
         response.set_header("Content-Range",
-                            "bytes */" + std::to_string(representation.bytes.size()));
+                            "bytes */" + std::to_string(representation.content.size()));
         return send_problem(
             response, Refusal{416, "range-not-satisfiable", "The range begins behind the end."},
-            request_id);
+            exchange.request_id);
     }
     response.set_header("Content-Type", representation.media_type);
     if (wanted.kind == RangeRequest::Kind::Part) {
-        return send_part(response, representation.bytes, wanted.range);
+        representation.content = part_of(representation.content, wanted.range, response);
     }
-    response.body = std::move(representation.bytes);
+    exchange.content = std::move(representation.content);
 }
 
 }  // namespace bouguer::server

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sending bytes that have an entity tag: content negotiation, conditional requests and ranges
+// Sending what has an entity tag: content negotiation, conditional requests and ranges
 // [RFC 9110 §12, §13, §14].
 #pragma once
 
@@ -10,21 +10,23 @@
 #include <string>
 #include <string_view>
 
+#include "server/http/exchange.h"
 #include "server/jobs/job_service.h"
 
 namespace bouguer::server {
 
 struct Representation {
-    std::string bytes;
+    Content content;
     std::string media_type;
     std::string tag;  ///< of the entity tag, without quotes; strong
     bool immutable = false;
     bool ranges = false;  ///< whether parts may be asked for
 };
 
-/// 200, 206, 304 or 416, as the request's If-None-Match, Range and If-Range ask.
+/// 200, 206, 304 or 416, as the request's If-None-Match, Range and If-Range ask. The content goes
+/// into the exchange and not through the HTTP library, which would hold all of it.
 void send_representation(const httplib::Request& request, httplib::Response& response,
-                         Representation representation, std::string_view request_id);
+                         Representation representation, Exchange& exchange);
 
 /// Which of the media types is to be sent, as Accept asks. Empty: a 406 has been.
 [[nodiscard]] std::optional<std::size_t> choose_type(const httplib::Request& request,

@@ -124,6 +124,7 @@ void Router::handle(Exchange& exchange) {
     // nothing has been sent yet: a clean answer replaces whatever was begun
     exchange.stream.reset();
     exchange.waiting.reset();
+    exchange.content = {};
     exchange.status = kInternal.status;
     exchange.close = true;
     exchange.answer = refusal_bytes(kInternal, exchange.request_id);
@@ -195,6 +196,11 @@ void Router::finish(const httplib::Request& request, httplib::Response& response
     if (exchange.stream) {
         response.headers.erase("Content-Length");
         replace_header(response, "Connection", "close");
+    }
+    if (!exchange.content.empty()) {
+        // the library has not seen it; of HEAD it is told and not sent [RFC 9110 §9.3.2]
+        replace_header(response, "Content-Length", std::to_string(exchange.content.size()));
+        if (request.method == "HEAD") exchange.content = {};
     }
     if (response.status == 204 || response.status == 304) response.headers.erase("Content-Length");
     replace_header(response, "Date", http_date());

@@ -10,7 +10,9 @@ namespace {
 Result<renderer::OutputSettings> output_of(const JobService& jobs, const JobId& id) {
     const auto report = jobs.file(id, "report.json");
     if (!report) return tl::unexpected(report.error());
-    return api::read_report_output(report->bytes);
+    const auto text = report->content.all();
+    if (!text) return tl::unexpected(text.error());
+    return api::read_report_output(*text);
 }
 
 /// The film with `output` in place of the job's own settings.
@@ -18,7 +20,9 @@ Result<JobFilm> film_with(const JobService& jobs, const JobId& id,
                           renderer::OutputSettings output) {
     const auto exr = jobs.file(id, "image.exr");
     if (!exr) return tl::unexpected(exr.error());
-    auto loaded = renderer::load_picture(exr->bytes);
+    const auto bytes = exr->content.all();
+    if (!bytes) return tl::unexpected(bytes.error());
+    auto loaded = renderer::load_picture(*bytes);
     if (!loaded) return fail(ErrorKind::Internal, loaded.error().message, "result-damaged");
     return JobFilm{std::move(loaded->picture), std::move(output), exr->final};
 }

@@ -315,7 +315,7 @@ Result<ResultFile> JobManager::file(const JobId& id, const std::string& name) co
     if (is_final(job->state)) {
         auto stored = results_.get(id, name);
         if (stored) {
-            return ResultFile{std::move(stored->bytes), media_type, std::move(stored->digest),
+            return ResultFile{std::move(stored->content), media_type, std::move(stored->digest),
                               true};
         }
         if (stored.error().kind != ErrorKind::NotFound) return tl::unexpected(stored.error());

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/core/result.h"
+#include "server/content.h"
 #include "server/jobs/job.h"
 
 namespace bouguer::server {
@@ -26,12 +27,12 @@ struct JobPage {
     std::string next_cursor;    ///< opaque; empty on the last page
 };
 
-/// A result as bytes with what conditional and range requests need.
+/// A result with what conditional and range requests need.
 struct ResultFile {
-    std::string bytes;
+    Content content;
     std::string media_type;  ///< "image/png", "image/x-exr", "application/json", "text/csv"
-    std::string digest;      ///< sha256 hex of bytes: the strong ETag
-    bool final = false;      ///< the job has ended: these bytes never change
+    std::string digest;      ///< sha256 hex of the content: the strong ETag
+    bool final = false;      ///< the job has ended: it never changes
 };
 
 /// One thing that happened to a job.

@@ -281,7 +281,7 @@ std::vector<std::string> RenderTask::images() const {
 Result<ResultFile> RenderTask::file(const std::string& name) const {
     const std::string media_type(media_type_of(name));
     if (media_type.empty()) return bouguer::fail(ErrorKind::NotFound, "no such result");
-    ResultFile file{{}, media_type, {}, false};
+    std::string bytes;
     std::optional<renderer::Picture> picture;
     std::optional<renderer::Report> report;
     renderer::OutputSettings output;
@@ -292,21 +292,21 @@ Result<ResultFile> RenderTask::file(const std::string& name) const {
         output = prepared_.output;
         digests = prepared_.digests;
         if (name == "image.png") {
-            file.bytes = png_;
+            bytes = png_;
         } else if (name == "image.exr") {
             picture = prepared_.render->picture();
         } else {
             report = report_locked();
         }
     }
-    if (report) file.bytes = report_file(name, *report, output, digests).value_or("");
+    if (report) bytes = report_file(name, *report, output, digests).value_or("");
     if (picture) {
         auto exr = renderer::encode_exr(*picture, output);
         if (!exr) return tl::unexpected(exr.error());
-        file.bytes = std::move(*exr);
+        bytes = std::move(*exr);
     }
-    file.digest = api::sha256_hex(file.bytes);
-    return file;
+    std::string digest = api::sha256_hex(bytes);
+    return ResultFile{std::move(bytes), media_type, std::move(digest), false};
 }
 
 }  // namespace bouguer::server

@@ -8,23 +8,10 @@
 #include <cerrno>
 #include <system_error>
 
+#include "server/file_descriptor.h"
+
 namespace bouguer::server {
 namespace {
-
-/// Closes a descriptor when it goes out of scope.
-class Descriptor {
-  public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    ~Descriptor() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int get() const { return fd_; }
-
-  private:
-    int fd_;
-};
 
 /// The error of the last system call. Names the file only by its last part: a client may read it.
 tl::unexpected<Error> system_error(const char* what, const std::filesystem::path& file) {
@@ -48,16 +35,16 @@ Result<void> write_all(int fd, std::string_view bytes, const std::filesystem::pa
 }  // namespace
 
 Result<void> write_new_file(const std::filesystem::path& file, std::string_view bytes) {
-    const Descriptor fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
-    if (fd.get() < 0) return system_error("make", file);
+    const FileDescriptor fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+    if (!fd) return system_error("make", file);
     if (auto written = write_all(fd.get(), bytes, file); !written) return written;
     if (::fsync(fd.get()) != 0) return system_error("flush", file);
     return {};
 }
 
 Result<void> sync_folder(const std::filesystem::path& folder) {
-    const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (fd.get() < 0) return system_error("open", folder);
+    const FileDescriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!fd) return system_error("open", folder);
     if (::fsync(fd.get()) != 0) return system_error("flush", folder);
     return {};
 }
@@ -80,8 +67,8 @@ Result<void> replace_file(const std::filesystem::path& file, std::string_view by
 
 Result<std::string> read_file(const std::filesystem::path& file, std::size_t max_bytes) {
     // Without O_NONBLOCK the open of a pipe would wait for a writer.
-    const Descriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (fd.get() < 0) return system_error("open", file);
+    const FileDescriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!fd) return system_error("open", file);
     struct stat info {};
     if (::fstat(fd.get(), &info) != 0) return system_error("read", file);
     if (!S_ISREG(info.st_mode)) {

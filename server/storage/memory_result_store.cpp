@@ -8,7 +8,7 @@ namespace bouguer::server {
 Result<void> MemoryResultStore::put(const JobId& id, const ResultFiles& files) {
     if (auto good = check_results(id, files); !good) return good;
     std::map<std::string, StoredFile> stored;
-    for (const auto& [name, bytes] : files) stored[name] = {bytes, api::sha256_hex(bytes)};
+    for (const auto& [name, bytes] : files) stored[name] = {Content(bytes), api::sha256_hex(bytes)};
     const std::lock_guard lock(mutex_);
     jobs_[id] = std::move(stored);
     return {};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/core/result.h"
+#include "server/content.h"
 #include "server/jobs/job.h"
 
 namespace bouguer::server {
@@ -17,8 +18,8 @@ namespace bouguer::server {
 using ResultFiles = std::map<std::string, std::string>;
 
 struct StoredFile {
-    std::string bytes;
-    std::string digest;  ///< sha256 hex of bytes, as it was when they were stored
+    Content content;
+    std::string digest;  ///< sha256 hex of the content, as it was when it was stored
 };
 
 /// Thread-safe for different jobs; one job is written by one thread. What put() has returned for

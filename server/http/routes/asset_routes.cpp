@@ -43,12 +43,12 @@ void read(const AssetStore& assets, const Request& request, Response& response,
     if (!bytes) return send_problem(response, bytes.error(), exchange.request_id);
     const std::string media_type(asset_media_type(*bytes));
     send_representation(request, response,
-                        {.bytes = std::move(*bytes),
+                        {.content = std::move(*bytes),
                          .media_type = media_type,
                          .tag = digest,
                          .immutable = true,
                          .ranges = true},
-                        exchange.request_id);
+                        exchange);
 }
 
 /// POST /v1/assets/missing: which of the digests have not been put yet.

@@ -63,21 +63,21 @@ Result<Comparison> compare(const JobService& jobs, std::map<std::string, std::st
 }
 
 Result<ResultFile> file_of(const Comparison& comparison, std::string_view type) {
-    ResultFile file{{}, std::string(type), {}, true};
+    std::string bytes;
     if (type == "image/png") {
         auto map = renderer::encode_difference_map(comparison.difference);
         if (!map) return tl::unexpected(map.error());
-        file.bytes = std::move(*map);
+        bytes = std::move(*map);
     } else {
-        file.bytes = api::comparison_json(comparison.difference, comparison.output, comparison.a,
-                                          comparison.b);
+        bytes = api::comparison_json(comparison.difference, comparison.output, comparison.a,
+                                     comparison.b);
     }
-    file.digest = api::sha256_hex(file.bytes);
-    return file;
+    std::string digest = api::sha256_hex(bytes);
+    return ResultFile{std::move(bytes), std::string(type), std::move(digest), true};
 }
 
 void send(const JobService& jobs, ImageWork& images, std::string_view type, const Request& request,
-          Response& response, const Exchange& exchange) {
+          Response& response, Exchange& exchange) {
     auto file = images.run([&]() -> Result<ResultFile> {
         const auto query = query_of(request);
         if (!query) return tl::unexpected(query.error());
@@ -86,8 +86,7 @@ void send(const JobService& jobs, ImageWork& images, std::string_view type, cons
         return file_of(*comparison, type);
     });
     if (!file) return send_problem(response, file.error(), exchange.request_id);
-    send_representation(request, response, representation_of(std::move(*file)),
-                        exchange.request_id);
+    send_representation(request, response, representation_of(std::move(*file)), exchange);
 }
 
 }  // namespace

@@ -121,8 +121,7 @@ void read(JobService& jobs, const HttpDeadlines& deadlines, const Request& reque
     if (wait.count() > 0) {
         response.set_header("Preference-Applied", "wait=" + std::to_string(wait.count()));
     }
-    send_representation(request, response, json_representation(job_json(*view)),
-                        exchange.request_id);
+    send_representation(request, response, json_representation(job_json(*view)), exchange);
 }
 
 /// POST /v1/jobs/{id}/cancel

@@ -71,21 +71,21 @@ std::string shelf_json(const LibraryShelf& shelf) {
 void add_document(Router& router, const std::string& path, const std::string& json) {
     router.get(path, [representation = json_representation(json)](
                          const Request& request, Response& response, Exchange& exchange) {
-        send_representation(request, response, representation, exchange.request_id);
+        send_representation(request, response, representation, exchange);
     });
 }
 
 void send_plot(const LibraryItem& item, const Request& request, Response& response,
-               const Exchange& exchange) {
+               Exchange& exchange) {
     auto png = renderer::encode_png(renderer::draw_plot(item_plot(item)));
     if (!png) return send_problem(response, png.error(), exchange.request_id);
     send_representation(request, response, made_representation(std::move(*png), "image/png"),
-                        exchange.request_id);
+                        exchange);
 }
 
 /// The item of a path that ends in its name, as Accept asks; with ".png" behind it, its plot.
 void send_item(const LibraryShelf& shelf, const Request& request, Response& response,
-               const Exchange& exchange) {
+               Exchange& exchange) {
     std::string name = request.matches[1].str();
     if (const LibraryItem* item = shelf.find(name)) {
         constexpr std::array<std::string_view, 2> kOffers{"application/json", "image/png"};
@@ -93,7 +93,7 @@ void send_item(const LibraryShelf& shelf, const Request& request, Response& resp
         if (!chosen) return;
         if (*chosen == 1) return send_plot(*item, request, response, exchange);
         return send_representation(request, response, json_representation(item_json(*item)),
-                                   exchange.request_id);
+                                   exchange);
     }
     const LibraryItem* plotted = nullptr;
     if (name.ends_with(kPlotEnding)) {

@@ -64,15 +64,14 @@ Result<ResultFile> file_as_asked(const ResultContext& context, const std::string
 }
 
 void send_file(const ResultContext& context, const std::string& name, const Request& request,
-               Response& response, const Exchange& exchange) {
+               Response& response, Exchange& exchange) {
     auto file = file_as_asked(context, name, request);
     if (!file) return send_problem(response, file.error(), exchange.request_id);
-    send_representation(request, response, representation_of(std::move(*file)),
-                        exchange.request_id);
+    send_representation(request, response, representation_of(std::move(*file)), exchange);
 }
 
 void send_negotiated(const ResultContext& context, std::span<const Offer> offers,
-                     const Request& request, Response& response, const Exchange& exchange) {
+                     const Request& request, Response& response, Exchange& exchange) {
     std::vector<std::string_view> types;
     for (const Offer& offer : offers) types.push_back(offer.media_type);
     const auto chosen = choose_type(request, response, types, exchange.request_id);

@@ -31,7 +31,7 @@ void add_asset(Router& router, const WebAsset& asset) {
                                            httplib::Response& response, Exchange& exchange) {
         response.set_header("Content-Security-Policy", kContentSecurityPolicy);
         response.set_header("Referrer-Policy", "no-referrer");
-        send_representation(request, response, representation, exchange.request_id);
+        send_representation(request, response, representation, exchange);
     });
 }
 

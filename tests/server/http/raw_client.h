@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/http/file_descriptor.h"
+#include "server/file_descriptor.h"
 
 namespace bouguer::server::testing {
 

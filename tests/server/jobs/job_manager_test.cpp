@@ -82,7 +82,7 @@ TEST_F(JobManagerTest, RendersWhatIsSubmitted) {
         const auto file = manager->file(id, name);
         ASSERT_TRUE(file) << name;
         EXPECT_TRUE(file->final) << name;
-        EXPECT_FALSE(file->bytes.empty()) << name;
+        EXPECT_FALSE(file->content.empty()) << name;
         EXPECT_EQ(file->digest.size(), 64U) << name;
     }
     EXPECT_EQ(manager->file(id, "passwd").error().kind, ErrorKind::NotFound);
@@ -96,8 +96,8 @@ TEST_F(JobManagerTest, GivesTheSameBytesForAnyNumberOfThreads) {
         wait_for_end(*manager, id);
         const auto file = manager->file(id, "image.exr");
         ASSERT_TRUE(file);
-        if (exr.empty()) exr = file->bytes;
-        EXPECT_EQ(file->bytes, exr) << threads << " threads";
+        if (exr.empty()) exr = file->content.all().value();
+        EXPECT_EQ(file->content.all().value(), exr) << threads << " threads";
     }
 }
 
@@ -119,7 +119,8 @@ TEST_F(JobManagerTest, ShowsAJobAgainAsIfRenderedSo) {
                                    {"adaptation", "bradford"},
                                    {"gamut", "desaturate"}});
     ASSERT_TRUE(again) << again.error().message;
-    EXPECT_EQ(again->bytes, manager->file(otherwise, "image.png")->bytes);
+    EXPECT_EQ(again->content.all().value(),
+              manager->file(otherwise, "image.png")->content.all().value());
     EXPECT_TRUE(again->final);
 }
 
@@ -318,10 +319,10 @@ TEST_F(JobManagerTest, ARestartGivesTheSameBytesAsAnUninterruptedRun) {
     const auto manager = start();
     wait_for_end(*manager, interrupted);
     EXPECT_EQ(state_of(*manager, interrupted), JobState::Done);
-    EXPECT_EQ(manager->file(interrupted, "image.exr")->bytes,
-              manager->file(whole, "image.exr")->bytes);
-    EXPECT_EQ(manager->file(interrupted, "image.png")->bytes,
-              manager->file(whole, "image.png")->bytes);
+    EXPECT_EQ(manager->file(interrupted, "image.exr")->content.all().value(),
+              manager->file(whole, "image.exr")->content.all().value());
+    EXPECT_EQ(manager->file(interrupted, "image.png")->content.all().value(),
+              manager->file(whole, "image.png")->content.all().value());
 }
 
 TEST_F(JobManagerTest, AJobThatCannotBeTakenUpAgainFailsAlone) {

@@ -180,7 +180,7 @@ TEST_F(RenderTaskTest, ShowsTheNewestPassWhileItRuns) {
     EXPECT_EQ(task->images().size(), 2U);
     const auto png = task->file("image.png");
     ASSERT_TRUE(png);
-    EXPECT_EQ(png->bytes.substr(1, 3), "PNG");
+    EXPECT_EQ(png->content.all()->substr(1, 3), "PNG");
     EXPECT_EQ(png->media_type, "image/png");
     EXPECT_FALSE(png->final);
     EXPECT_TRUE(task->file("image.exr"));
@@ -189,7 +189,8 @@ TEST_F(RenderTaskTest, ShowsTheNewestPassWhileItRuns) {
     EXPECT_DOUBLE_EQ(task->progress().fraction, 0.5);
     go_on.set_value();
     const RenderOutcome outcome = recorder_.wait();
-    EXPECT_NE(outcome.files.at("image.png"), png->bytes) << "the second pass differs";
+    EXPECT_NE(outcome.files.at("image.png"), png->content.all().value())
+        << "the second pass differs";
 }
 
 TEST_F(RenderTaskTest, TellsProgressAtMostFourTimesASecond) {

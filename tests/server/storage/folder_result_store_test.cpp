@@ -26,7 +26,9 @@ class FolderResultStoreTest : public testing::Test {
 
 TEST_F(FolderResultStoreTest, KeepsFilesWhenItIsOpenedAgain) {
     ASSERT_TRUE((*FolderResultStore::open(root_))->put(kResultJob, {{"image.png", "abc"}}));
-    EXPECT_EQ((*FolderResultStore::open(root_))->get(kResultJob, "image.png")->bytes, "abc");
+    EXPECT_EQ(
+        (*FolderResultStore::open(root_))->get(kResultJob, "image.png")->content.all().value(),
+        "abc");
 }
 
 TEST_F(FolderResultStoreTest, NoticesDamage) {

@@ -26,9 +26,9 @@ TYPED_TEST_P(ResultStoreContract, GivesBackTheBytesAndTheirDigest) {
     ASSERT_TRUE(this->store_->put(kResultJob, {{"image.png", bytes}, {"empty.csv", ""}}));
     const auto file = this->store_->get(kResultJob, "image.png");
     ASSERT_TRUE(file);
-    EXPECT_EQ(file->bytes, bytes);
+    EXPECT_EQ(file->content.all().value(), bytes);
     EXPECT_EQ(file->digest, api::sha256_hex(bytes));
-    EXPECT_EQ(this->store_->get(kResultJob, "empty.csv")->bytes, "");
+    EXPECT_EQ(this->store_->get(kResultJob, "empty.csv")->content.all().value(), "");
     EXPECT_EQ(this->store_->names(kResultJob).value(),
               (std::vector<std::string>{"empty.csv", "image.png"}));
 }
@@ -43,7 +43,7 @@ TYPED_TEST_P(ResultStoreContract, KnowsNothingOfWhatWasNotStored) {
 TYPED_TEST_P(ResultStoreContract, ASecondPutTakesThePlaceOfTheFirst) {
     ASSERT_TRUE(this->store_->put(kResultJob, {{"image.png", "old"}, {"gone.csv", "x"}}));
     ASSERT_TRUE(this->store_->put(kResultJob, {{"image.png", "new"}}));
-    EXPECT_EQ(this->store_->get(kResultJob, "image.png")->bytes, "new");
+    EXPECT_EQ(this->store_->get(kResultJob, "image.png")->content.all().value(), "new");
     EXPECT_FALSE(this->store_->get(kResultJob, "gone.csv"));
 }
 

@@ -138,7 +138,7 @@ TEST_F(ImageQueryTest, ConditionsRangesAndHeadWork) {
 }
 
 TEST_F(ImageQueryTest, ADamagedFilmIsNotShown) {
-    jobs.set_file(id, "image.exr", {"exr", "image/x-exr", "bb", true});
+    jobs.set_file(id, "image.exr", {Content("exr"), "image/x-exr", "bb", true});
     EXPECT_TRUE(is_problem(png("exposure=2"), 500, "result-damaged"));
 }
 

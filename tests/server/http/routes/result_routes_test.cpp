@@ -9,11 +9,11 @@ class ResultRoutesTest : public ServerTest {
     void SetUp() override {
         start();
         id = jobs.add();
-        jobs.set_file(id, "image.png", {"0123456789", "image/png", "aa11", false});
-        jobs.set_file(id, "image.exr", {"exr", "image/x-exr", "bb22", true});
-        jobs.set_file(id, "error.json", {"{}", "application/json", "cc33", true});
-        jobs.set_file(id, "error.csv", {"a,b", "text/csv", "dd44", true});
-        jobs.set_file(id, "error.png", {"plot", "image/png", "ee55", true});
+        jobs.set_file(id, "image.png", {Content("0123456789"), "image/png", "aa11", false});
+        jobs.set_file(id, "image.exr", {Content("exr"), "image/x-exr", "bb22", true});
+        jobs.set_file(id, "error.json", {Content("{}"), "application/json", "cc33", true});
+        jobs.set_file(id, "error.csv", {Content("a,b"), "text/csv", "dd44", true});
+        jobs.set_file(id, "error.png", {Content("plot"), "image/png", "ee55", true});
     }
     [[nodiscard]] RawResponse image(const std::vector<std::string>& fields) const {
         return ask("GET", path_of(id, "/image.png"), fields);
