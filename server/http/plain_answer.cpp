@@ -84,6 +84,7 @@ std::string refusal_bytes(const Refusal& refusal, std::string_view request_id) {
                      .content_type = "application/problem+json",
                      .body = problem_text(refusal, request_id),
                      .request_id = request_id,
+                     // the front's bounds are of what is under way now: over in a moment
                      .retry_after_s = refusal.status == 503 ? 1 : 0,
                      .close = true});
 }

@@ -20,9 +20,12 @@ void send(httplib::Response& response, int status, std::string body) {
 
 }  // namespace
 
-void send_problem(httplib::Response& response, const Error& error, std::string_view request_id) {
+void send_problem(httplib::Response& response, const Error& error, std::string_view request_id,
+                  int retry_after_s) {
     send(response, api::status_of(error), api::problem_json(error, request_id));
-    if (error.kind == ErrorKind::Busy) response.set_header("Retry-After", "5");
+    if (error.kind == ErrorKind::Busy) {
+        response.set_header("Retry-After", std::to_string(retry_after_s));
+    }
 }
 
 void send_problem(httplib::Response& response, const Refusal& refusal,

@@ -11,8 +11,14 @@
 
 namespace bouguer::server {
 
-/// An Error of the service or the documents; the status follows from its kind.
-void send_problem(httplib::Response& response, const Error& error, std::string_view request_id);
+/// Seconds after which a Busy may be tried again where nothing better is known: what makes the
+/// service busy for a moment (others who validate, compare, convert) is over within it.
+inline constexpr int kShortRetry_s = 5;
+
+/// An Error of the service or the documents; the status follows from its kind. `retry_after_s` is
+/// told to those who find the service busy.
+void send_problem(httplib::Response& response, const Error& error, std::string_view request_id,
+                  int retry_after_s = kShortRetry_s);
 /// What HTTP itself refuses.
 void send_problem(httplib::Response& response, const Refusal& refusal, std::string_view request_id);
 /// 404 for something that no one has.

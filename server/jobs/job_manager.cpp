@@ -83,6 +83,7 @@ void JobManager::take_up(const Job& job) {
     auto task = make_task(job);
     const std::lock_guard lock(live_mutex_);
     live_[job.id] = task;
+    drain_rate_.begin(DrainRate::Clock::now());
     scheduler_.add_again(std::move(task));
 }
 
@@ -241,7 +242,7 @@ std::shared_ptr<RenderTask> JobManager::live(const JobId& id) const {
 
 void JobManager::forget(const JobId& id) {
     const std::lock_guard lock(live_mutex_);
-    live_.erase(id);
+    if (live_.erase(id) > 0) drain_rate_.end(DrainRate::Clock::now());
 }
 
 JobView JobManager::view_of(Job job) const {
@@ -362,5 +363,9 @@ Result<std::string> JobManager::validate(const std::string& body) const {
 bool JobManager::ready() const { return is_accepting_ && jobs_.healthy(); }
 
 std::size_t JobManager::queue_length() const { return scheduler_.num_waiting(); }
+
+int JobManager::retry_after_s() const {
+    return drain_rate_.seconds_to_drain(DrainRate::Clock::now());
+}
 
 }  // namespace bouguer::server

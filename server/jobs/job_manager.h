@@ -9,6 +9,7 @@
 #include <string>
 
 #include "api/job_document.h"
+#include "server/jobs/drain_rate.h"
 #include "server/jobs/job_events.h"
 #include "server/jobs/job_id.h"
 #include "server/jobs/job_service.h"
@@ -60,6 +61,7 @@ class JobManager final : public JobService, private RenderListener {
     [[nodiscard]] Result<std::string> validate(const std::string& body) const override;
     [[nodiscard]] bool ready() const override;
     [[nodiscard]] std::size_t queue_length() const override;
+    [[nodiscard]] int retry_after_s() const override;
 
   private:
     [[nodiscard]] bool begin(const JobId& id) noexcept override;
@@ -90,6 +92,7 @@ class JobManager final : public JobService, private RenderListener {
     std::mutex admission_;  ///< between looking for room in the queue and taking it
     mutable std::mutex live_mutex_;
     std::map<JobId, std::shared_ptr<RenderTask>> live_;  // guarded by live_mutex_
+    DrainRate drain_rate_;                               // of live_
     std::unique_ptr<WorkerPool> workers_;                // set by start(); last: it uses the others
 };
 

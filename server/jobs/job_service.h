@@ -93,6 +93,9 @@ class JobService {
 
     [[nodiscard]] virtual bool ready() const = 0;  ///< accepting jobs: storage works, not draining
     [[nodiscard]] virtual std::size_t queue_length() const = 0;
+    /// When it is worth asking again for a place in the queue, or for a job that was just accepted:
+    /// until then what waits and runs now should have ended. Seconds, in [1, 600]; measured.
+    [[nodiscard]] virtual int retry_after_s() const = 0;
 };
 
 /// The JSON of a view, as in GET /v1/jobs/{id}. Progress events carry its "progress" member.

@@ -43,9 +43,13 @@ void submit(JobService& jobs, const Request& request, Response& response, Exchan
             exchange.request_id);
     }
     const auto result = jobs.submit(request.body, key);
-    if (!result) return send_problem(response, result.error(), exchange.request_id);
+    if (!result) {
+        const bool is_full = result.error().code == "queue-full";
+        return send_problem(response, result.error(), exchange.request_id,
+                            is_full ? jobs.retry_after_s() : kShortRetry_s);
+    }
     response.set_header("Location", "/v1/jobs/" + result->view.job.id);
-    response.set_header("Retry-After", "1");
+    response.set_header("Retry-After", std::to_string(jobs.retry_after_s()));
     if (result->replayed) response.set_header("Idempotent-Replayed", "true");
     set_json(response, 202, job_json(result->view));
 }

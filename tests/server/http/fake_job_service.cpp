@@ -98,7 +98,7 @@ Result<SubmitResult> FakeJobService::submit(const std::string& body, const std::
     const std::lock_guard lock(mutex_);
     last_body = body;
     last_key = key;
-    if (is_full) return fail(ErrorKind::Busy, "the queue is full");
+    if (is_full) return fail(ErrorKind::Busy, "the queue is full", "queue-full");
     if (body.front() != '{') {
         Error error{
             .kind = ErrorKind::InvalidInput, .message = "not a job", .problems = {}, .code = {}};

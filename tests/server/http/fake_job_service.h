@@ -43,6 +43,7 @@ class FakeJobService : public JobService {
     Result<std::string> validate(const std::string& body) const override;
     bool ready() const override { return is_ready; }
     std::size_t queue_length() const override { return 3; }
+    int retry_after_s() const override { return 37; }
 
   private:
     struct Listeners;

@@ -180,6 +180,17 @@ TEST_F(JobManagerTest, IsBusyWhenTheQueueIsFull) {
     wait_until([&] { return manager->submit(small_job(), "").has_value(); });
 }
 
+// Jobs that were accepted and have ended are out of the estimate, however they ended.
+TEST_F(JobManagerTest, ThereIsNothingToWaitForWhenAllHaveEnded) {
+    const auto manager = start({.threads = 1});
+    EXPECT_EQ(manager->retry_after_s(), 1);
+    const JobId running = submit(*manager, endless_job());
+    const JobId waiting = submit(*manager, endless_job());
+    ASSERT_TRUE(manager->cancel(running));
+    ASSERT_TRUE(manager->cancel(waiting));
+    wait_until([&] { return manager->retry_after_s() == 1; });
+}
+
 TEST_F(JobManagerTest, ANewJobShowsSomethingWhileALongOneRuns) {
     const auto manager = start({.threads = 1});
     const JobId long_job = submit(*manager, endless_job(R"(,"priority":100)"));
