@@ -246,8 +246,16 @@ void JobManager::forget(const JobId& id) {
 }
 
 JobView JobManager::view_of(Job job) const {
+    const auto task = live(job.id);
+    if (task == nullptr && !is_final(job.state)) {
+        // It may have ended since it was read.
+        if (auto again = jobs_.find(job.id)) job = std::move(*again);
+    }
+    return view_of(std::move(job), task);
+}
+
+JobView JobManager::view_of(Job job, const std::shared_ptr<RenderTask>& task) const {
     JobView view{std::move(job), {}, {}};
-    const auto task = live(view.job.id);
     if (is_final(view.job.state)) {
         view.progress = view.job.progress;
         for (std::string& name : results_.names(view.job.id).value_or(std::vector<std::string>{})) {
@@ -261,9 +269,11 @@ JobView JobManager::view_of(Job job) const {
 }
 
 Result<JobView> JobManager::find(const JobId& id) const {
+    // In this order: a task is forgotten only after its end was stored.
+    const auto task = live(id);
     auto job = jobs_.find(id);
     if (!job) return tl::unexpected(job.error());
-    return view_of(std::move(*job));
+    return view_of(std::move(*job), task);
 }
 
 Result<JobPage> JobManager::list(std::size_t limit, const std::string& cursor,
@@ -309,23 +319,31 @@ Result<void> JobManager::remove(const JobId& id) {
 
 Result<ResultFile> JobManager::file(const JobId& id, const std::string& name) const {
     const std::string media_type(media_type_of(name));
+    const auto task = live(id);  // first, as in find()
     auto job = jobs_.find(id);
     if (!job) return tl::unexpected(job.error());
     if (media_type.empty()) return fail(ErrorKind::NotFound, "no such result");
-    const auto task = live(id);
-    if (is_final(job->state)) {
-        auto stored = results_.get(id, name);
-        if (stored) {
-            return ResultFile{std::move(stored->content), media_type, std::move(stored->digest),
-                              true};
-        }
-        if (stored.error().kind != ErrorKind::NotFound) return tl::unexpected(stored.error());
-        // Cancelled a moment ago: the newest pass is on its way to the store.
-        if (task != nullptr) return task->file(name);
-        return fail(ErrorKind::NotFound, "the job ended without this result", "no-result");
+    if (task == nullptr && !is_final(job->state)) {
+        return fail(ErrorKind::Conflict, "there is nothing of this job yet", "job-not-finished");
     }
-    if (task != nullptr) return task->file(name);
-    return fail(ErrorKind::Conflict, "there is nothing of this job yet", "job-not-finished");
+    if (is_final(job->state)) {
+        auto stored = stored_file(id, name, media_type);
+        // Cancelled a moment ago: the newest pass is on its way to the store.
+        if (stored || task == nullptr || stored.error().code != "no-result") return stored;
+    }
+    auto shown = task->file(name);
+    if (shown || !task->ended()) return shown;
+    return stored_file(id, name, media_type);  // where all of an ended task is
+}
+
+Result<ResultFile> JobManager::stored_file(const JobId& id, const std::string& name,
+                                           const std::string& media_type) const {
+    auto stored = results_.get(id, name);
+    if (stored) {
+        return ResultFile{std::move(stored->content), media_type, std::move(stored->digest), true};
+    }
+    if (stored.error().kind != ErrorKind::NotFound) return tl::unexpected(stored.error());
+    return fail(ErrorKind::NotFound, "the job ended without this result", "no-result");
 }
 
 Result<std::unique_ptr<Subscription>> JobManager::subscribe(const JobId& id,

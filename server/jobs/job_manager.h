@@ -78,6 +78,10 @@ class JobManager final : public JobService, private RenderListener {
     [[nodiscard]] std::shared_ptr<RenderTask> live(const JobId& id) const;
     void forget(const JobId& id);
     [[nodiscard]] JobView view_of(Job job) const;
+    /// `task` is what live() gave before the job was read.
+    [[nodiscard]] JobView view_of(Job job, const std::shared_ptr<RenderTask>& task) const;
+    [[nodiscard]] Result<ResultFile> stored_file(const JobId& id, const std::string& name,
+                                                 const std::string& media_type) const;
 
     JobStore& jobs_;
     ResultStore& results_;

@@ -21,6 +21,15 @@ tl::unexpected<Error> not_finished() {
                          "job-not-finished");
 }
 
+/// Does not throw, not even when there is no memory for the text.
+std::string no_results_because(const char* what) noexcept {
+    try {
+        return std::string("the results could not be made: ") + what;
+    } catch (...) {
+        return "out of memory";  // short enough to need none
+    }
+}
+
 }  // namespace
 
 /// Counts a step as under way until it ends, however it ends.
@@ -47,45 +56,60 @@ RenderTask::RenderTask(JobId id, int priority, std::uint64_t memory_bytes, Prepa
       listener_(listener) {}
 
 bool RenderTask::is_over_locked() const {
-    return is_cancelled_ || !failure_.empty() ||
-           (prepared_.render != nullptr && prepared_.render->finished());
+    return is_cancelled_ || is_complete_ || !failure_.empty();
 }
 
 Urgency RenderTask::urgency() const {
-    if (is_ending_pass_) return Urgency::LaterPass;  // it has nothing to hand out anyway
     const std::lock_guard lock(mutex_);
-    if (phase_ == Phase::Waiting || phase_ == Phase::Preparing) return Urgency::FirstPass;
-    if (is_over_locked()) return Urgency::Finish;
-    return prepared_.render->samples_done() == 0 ? Urgency::FirstPass : Urgency::LaterPass;
+    switch (phase_) {
+        case Phase::Waiting:
+        case Phase::Preparing:
+            return Urgency::FirstPass;
+        case Phase::Rendering:
+        case Phase::EndingPass:
+            if (is_over_locked()) return Urgency::Finish;
+            return shown_->picture ? Urgency::LaterPass : Urgency::FirstPass;
+        case Phase::Finishing:
+        case Phase::Ended:
+            break;
+    }
+    return Urgency::Finish;
 }
 
 std::optional<Task::Step> RenderTask::next_step() {
-    if (is_ending_pass_) return std::nullopt;
     const std::lock_guard lock(mutex_);
     std::optional<Step> step;
     if (phase_ == Phase::Waiting) {
         phase_ = Phase::Preparing;
         step = [this] { prepare(); };
-    } else if (phase_ == Phase::Rendering && is_over_locked()) {
-        if (steps_under_way_ == 0) {
-            phase_ = Phase::Finishing;
-            step = [this] { finish(); };
-        }
+    } else if (phase_ < Phase::Finishing && is_over_locked()) {
+        if (steps_under_way_ > 0) return std::nullopt;
+        leave_rendering_locked(Phase::Finishing);
+        step = [this] { finish(); };
     } else if (phase_ == Phase::Rendering) {
-        if (const auto unit = prepared_.render->next_unit()) {
-            ++units_under_way_;
-            step = [this, unit = *unit] { trace(unit); };
-        }
+        step = take_unit_locked();
     }
     if (step) ++steps_under_way_;
     return step;
 }
 
-void RenderTask::fail(const std::string& reason) noexcept {
+std::optional<Task::Step> RenderTask::take_unit_locked() {
+    const auto unit = prepared_.render->next_unit();
+    if (!unit) return std::nullopt;
+    ++units_under_way_;
+    std::shared_ptr<const renderer::Render> render = prepared_.render;
+    return [this, render = std::move(render), unit = *unit] { trace(*render, unit); };
+}
+
+bool RenderTask::ended() const {
     const std::lock_guard lock(mutex_);
-    if (failure_.empty()) failure_ = reason;
+    return phase_ == Phase::Ended && steps_under_way_ == 0;
+}
+
+void RenderTask::fail(std::string reason) noexcept {
+    const std::lock_guard lock(mutex_);
     // The next step that is asked for is the one that finishes.
-    if (phase_ == Phase::Preparing) phase_ = Phase::Rendering;
+    if (failure_.empty()) failure_ = std::move(reason);
 }
 
 bool RenderTask::cancel() {
@@ -93,86 +117,107 @@ bool RenderTask::cancel() {
     is_cancelled_ = true;
     give_up_ = true;
     if (phase_ != Phase::Waiting) return false;
-    end_locked();
+    phase_ = Phase::Ended;
     return true;
 }
 
-void RenderTask::end_locked() {
-    phase_ = Phase::Ended;
-    is_ended_ = true;
+void RenderTask::leave_rendering_locked(Phase next) {
+    if (phase_ == Phase::Rendering) progress_ = progress_locked();
+    phase_ = next;
 }
 
 void RenderTask::prepare() {
     const StepGuard guard(*this);
     if (!listener_.begin(id_)) {
         const std::lock_guard lock(mutex_);
-        end_locked();
+        phase_ = Phase::Ended;
         return;
     }
     Result<PreparedRender> prepared = prepare_();
+    if (prepared) return begin_rendering(std::move(*prepared));
     const std::lock_guard lock(mutex_);
-    if (prepared) {
-        prepared_ = std::move(*prepared);
-    } else {
-        failure_ = prepared.error().message;
-    }
+    failure_ = prepared.error().message;
+}
+
+void RenderTask::begin_rendering(PreparedRender prepared) {
+    prepared_ = std::move(prepared);
     render_began_ = Clock::now();
+    auto shown = look();
+    const std::lock_guard lock(mutex_);
+    shown_ = std::move(shown);
     phase_ = Phase::Rendering;
 }
 
-void RenderTask::trace(const renderer::Unit& unit) {
+/// By whoever has the render to itself.
+std::shared_ptr<const RenderTask::Shown> RenderTask::look() const {
+    auto shown =
+        std::make_shared<Shown>(Shown{prepared_.render->picture(), prepared_.render->report(),
+                                      prepared_.output, prepared_.digests});
+    shown->report.timings.scene_s = prepared_.scene_seconds;
+    shown->report.timings.render_s = seconds();
+    shown->report.bias.spectra = prepared_.notes;
+    return shown;
+}
+
+void RenderTask::trace(const renderer::Render& render, const renderer::Unit& unit) {
     const StepGuard guard(*this);
-    // The render is not let go of while a step is under way.
-    std::unique_ptr<renderer::UnitResult> result = prepared_.render->trace(unit, &give_up_);
+    std::unique_ptr<renderer::UnitResult> result = render.trace(unit, &give_up_);
     std::optional<JobProgress> progress;
-    std::optional<renderer::Picture> picture;
     {
         const std::lock_guard lock(mutex_);
-        if (is_cancelled_ || !failure_.empty()) return;
-        if (result == nullptr) {
-            --units_under_way_;
-            return prepared_.render->give_back(unit);
+        --units_under_way_;
+        if (is_over_locked()) return;
+        if (result == nullptr) return prepared_.render->give_back(unit);
+        if (units_under_way_ == 0 && !prepared_.render->has_units()) {
+            leave_rendering_locked(Phase::EndingPass);
+        } else {
+            (void)prepared_.render->merge(std::move(result), seconds());
+            progress = progress_event_locked(Clock::now());
         }
-        const bool pass_ended = merge_locked(std::move(result));
+    }
+    if (result != nullptr) return end_pass(std::move(result));
+    if (progress) listener_.progress(id_, *progress);
+}
+
+void RenderTask::end_pass(std::unique_ptr<renderer::UnitResult> last) {
+    (void)prepared_.render->merge(std::move(last), seconds());
+    std::shared_ptr<const Shown> shown = look();
+    std::optional<JobProgress> progress;
+    bool makes_preview = false;
+    {
+        const std::lock_guard lock(mutex_);
+        shown_ = shown;
+        if (const auto& curve = shown->report.error; !curve.empty()) {
+            progress_.rmse = curve.back().rmse;
+            progress_.relative_rmse = curve.back().relative_rmse;
+        }
+        is_complete_ = prepared_.render->finished();
+        phase_ = Phase::Rendering;
         const auto now = Clock::now();
+        progress = progress_event_locked(now);
         // The last pass needs no preview: the finished picture follows at once.
-        if (pass_ended && !prepared_.render->finished() && is_preview_due_locked(now)) {
+        if (!is_complete_ && is_preview_due_locked(now)) {
             last_preview_ = now;
-            is_making_preview_ = true;
-            picture = prepared_.render->picture();
-        }
-        if (now - last_progress_event_ >= kEventInterval) {
-            last_progress_event_ = now;
-            progress = progress_locked();
+            makes_preview = is_making_preview_ = true;
         }
     }
     if (progress) listener_.progress(id_, *progress);
-    if (picture) make_preview(*picture);
+    if (makes_preview) make_preview(*shown);
 }
 
-bool RenderTask::merge_locked(std::unique_ptr<renderer::UnitResult> result) {
-    struct Reset {
-        std::atomic<bool>& flag;
-        ~Reset() { flag = false; }
-    } const reset{is_ending_pass_};
-    is_ending_pass_ = --units_under_way_ == 0 && !prepared_.render->has_units();
-    const bool pass_ended = prepared_.render->merge(std::move(result), seconds_locked());
-    if (pass_ended) note_error_locked();
-    return pass_ended;
-}
-
-void RenderTask::make_preview(const renderer::Picture& picture) {
+void RenderTask::make_preview(const Shown& shown) {
     const auto begin = Clock::now();
-    renderer::ImageInfo shown;
-    auto png = renderer::encode_png(picture, prepared_.output, &shown);
+    renderer::ImageInfo info;
+    auto png = renderer::encode_png(*shown.picture, shown.output, &info);
     JobProgress progress;
     {
         const std::lock_guard lock(mutex_);
         is_making_preview_ = false;
         preview_cost_ = Clock::now() - begin;
         if (!png) return;  // the finished picture will fail too, and say why
-        png_ = std::move(*png);
-        shown_ = shown;
+        has_preview_ = true;
+        png_ = Content(std::move(*png));
+        png_info_ = info;
         progress = progress_locked();
     }
     listener_.preview(id_, progress);
@@ -180,41 +225,53 @@ void RenderTask::make_preview(const renderer::Picture& picture) {
 
 void RenderTask::finish() {
     const StepGuard guard(*this);
-    RenderOutcome result;
-    try {
-        result = outcome();
-    } catch (const std::exception& e) {
-        result.state = JobState::Failed;
-        result.failure = std::string("the results could not be made: ") + e.what();
-        result.files.clear();
-    }
-    listener_.end(id_, std::move(result));
-    const std::lock_guard lock(mutex_);
-    last_progress_ = progress_locked();
-    prepared_ = {};
-    png_.clear();
-    end_locked();
-}
-
-RenderOutcome RenderTask::outcome() {
-    RenderOutcome result;
-    renderer::Report report;
-    std::optional<renderer::Picture> picture;
+    listener_.end(id_, outcome());
     {
         const std::lock_guard lock(mutex_);
-        result.progress = progress_locked();
+        shown_.reset();
+        png_ = {};
+    }
+    prepared_ = {};  // a large film takes its time: nobody waits for it
+    const std::lock_guard lock(mutex_);
+    phase_ = Phase::Ended;
+}
+
+RenderOutcome RenderTask::outcome() noexcept {
+    RenderOutcome result;
+    {
+        const std::lock_guard lock(mutex_);
+        result.progress = progress_;
+        result.progress.seconds_left.reset();
+    }
+    try {
+        return outcome_of_render();
+    } catch (const std::exception& e) {
+        result.failure = no_results_because(e.what());
+    } catch (...) {
+        result.failure = no_results_because("internal error");
+    }
+    return result;
+}
+
+RenderOutcome RenderTask::outcome_of_render() {
+    RenderOutcome result;
+    bool is_complete = false;
+    {
+        const std::lock_guard lock(mutex_);
+        result.progress = progress_;
         result.progress.seconds_left.reset();
         result.failure = failure_;
-        if (!failure_.empty()) return result;
-        // Cancelled, but all that was asked for had been done by then: done.
-        const bool is_done = prepared_.render != nullptr && prepared_.render->finished();
-        result.state = is_done ? JobState::Done : JobState::Cancelled;
-        if (prepared_.render == nullptr) return result;
-        report = report_locked();
-        picture = prepared_.render->picture();
+        is_complete = is_complete_;
     }
-    if (!picture) return result;
-    auto files = result_files(picture, report, prepared_.output, prepared_.digests);
+    if (!result.failure.empty()) return result;
+    // Cancelled, but all that was asked for had been done by then: done.
+    result.state = is_complete ? JobState::Done : JobState::Cancelled;
+    if (prepared_.render == nullptr) return result;
+    const std::shared_ptr<const Shown> shown = look();
+    if (!shown->picture) return result;
+    renderer::Report report = shown->report;
+    if (!is_complete) report.stopped_by = "cancel";
+    auto files = result_files(shown->picture, report, shown->output, shown->digests);
     if (files) {
         result.files = std::move(*files);
     } else {
@@ -224,45 +281,36 @@ RenderOutcome RenderTask::outcome() {
     return result;
 }
 
-double RenderTask::seconds_locked() const {
+double RenderTask::seconds() const {
     return std::chrono::duration<double>(Clock::now() - render_began_).count();
 }
 
-void RenderTask::note_error_locked() {
-    const auto curve = prepared_.render->report().error;
-    if (curve.empty()) return;
-    last_progress_.rmse = curve.back().rmse;
-    last_progress_.relative_rmse = curve.back().relative_rmse;
-}
-
 JobProgress RenderTask::progress_locked() const {
-    JobProgress progress = last_progress_;
-    if (prepared_.render == nullptr) return progress;
+    JobProgress progress = progress_;
+    if (phase_ != Phase::Rendering) return progress;
     const renderer::Render& render = *prepared_.render;
-    progress.seconds = seconds_locked();
+    progress.seconds = seconds();
     progress.fraction = std::clamp(render.progress(progress.seconds), 0.0, 1.0);
     progress.samples = render.samples_done();
     progress.pass = render.current_pass();
     progress.rays = render.rays();
+    progress.seconds_left.reset();
     if (progress.fraction > 0) {
         progress.seconds_left = progress.seconds * (1 - progress.fraction) / progress.fraction;
     }
     return progress;
 }
 
-renderer::Report RenderTask::report_locked() const {
-    renderer::Report report = prepared_.render->report();
-    report.timings.scene_s = prepared_.scene_seconds;
-    report.bias.spectra = prepared_.notes;
-    report.timings.render_s = seconds_locked();
-    report.image = shown_;
-    if (is_cancelled_ && report.stopped_by.empty()) report.stopped_by = "cancel";
-    return report;
+/// What is to be told now, if something is.
+std::optional<JobProgress> RenderTask::progress_event_locked(Clock::time_point now) {
+    if (now - last_progress_event_ < kEventInterval) return std::nullopt;
+    last_progress_event_ = now;
+    return progress_locked();
 }
 
 bool RenderTask::is_preview_due_locked(Clock::time_point now) const {
     if (is_making_preview_) return false;
-    if (png_.empty()) return true;
+    if (!has_preview_) return true;
     return now - last_preview_ >=
            std::max<Clock::duration>(kEventInterval, preview_cost_ * kPreviewShare);
 }
@@ -274,39 +322,41 @@ JobProgress RenderTask::progress() const {
 
 std::vector<std::string> RenderTask::images() const {
     const std::lock_guard lock(mutex_);
-    if (png_.empty()) return {};
+    if (!has_preview_) return {};
     return {"image.png", "image.exr"};
+}
+
+Result<std::string> RenderTask::made_anew(const std::string& name, const Shown& shown,
+                                          const renderer::ImageInfo& png_info) {
+    if (is_image(name)) return renderer::encode_exr(*shown.picture, shown.output);
+    renderer::Report report = shown.report;
+    report.image = png_info;
+    return report_file(name, report, shown.output, shown.digests).value_or("");
 }
 
 Result<ResultFile> RenderTask::file(const std::string& name) const {
     const std::string media_type(media_type_of(name));
     if (media_type.empty()) return bouguer::fail(ErrorKind::NotFound, "no such result");
-    std::string bytes;
-    std::optional<renderer::Picture> picture;
-    std::optional<renderer::Report> report;
-    renderer::OutputSettings output;
-    JobDigests digests;
+    std::shared_ptr<const Shown> shown;
+    renderer::ImageInfo png_info;
+    Content content;
     {
         const std::lock_guard lock(mutex_);
-        if (prepared_.render == nullptr || (is_image(name) && png_.empty())) return not_finished();
-        output = prepared_.output;
-        digests = prepared_.digests;
-        if (name == "image.png") {
-            bytes = png_;
-        } else if (name == "image.exr") {
-            picture = prepared_.render->picture();
-        } else {
-            report = report_locked();
-        }
+        if (shown_ == nullptr || (is_image(name) && !has_preview_)) return not_finished();
+        shown = shown_;
+        png_info = png_info_;
+        content = png_;
     }
-    if (report) bytes = report_file(name, *report, output, digests).value_or("");
-    if (picture) {
-        auto exr = renderer::encode_exr(*picture, output);
-        if (!exr) return tl::unexpected(exr.error());
-        bytes = std::move(*exr);
+    std::string digest;
+    if (name == "image.png") {
+        digest = api::sha256_hex(content.all().value());  // it is in memory
+    } else {
+        auto bytes = made_anew(name, *shown, png_info);
+        if (!bytes) return tl::unexpected(bytes.error());
+        digest = api::sha256_hex(*bytes);
+        content = std::move(*bytes);
     }
-    std::string digest = api::sha256_hex(bytes);
-    return ResultFile{std::move(bytes), media_type, std::move(digest), false};
+    return ResultFile{std::move(content), media_type, std::move(digest), false};
 }
 
 }  // namespace bouguer::server

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "renderer/render.h"
+#include "server/content.h"
 #include "server/jobs/job_service.h"
 #include "server/jobs/result_files.h"
 #include "server/jobs/task.h"
@@ -20,7 +21,7 @@ namespace bouguer::server {
 
 /// A render that is ready to begin.
 struct PreparedRender {
-    std::unique_ptr<renderer::Render> render;
+    std::shared_ptr<renderer::Render> render;
     renderer::OutputSettings output;
     JobDigests digests;
     double scene_seconds = 0;  ///< that it took to build the scene
@@ -49,8 +50,10 @@ class RenderListener {
 };
 
 /// Thread-safe. Its steps are: prepare (build the scene), one for each unit, finish (make the
-/// files). What the scheduler asks (urgency, next_step, ended) does not wait while a pass is being
-/// ended, which takes long for a large picture: other jobs go on meanwhile.
+/// files). Its phase is the one truth about it: whatever is asked is answered from the phase and
+/// from what was published when the phase began, never from a render that another thread may be
+/// ending or letting go of. Its lock is held for moments only, so that what the scheduler asks
+/// (urgency, next_step, ended) never waits for a picture.
 class RenderTask final : public Task {
   public:
     using Prepare = std::function<Result<PreparedRender>()>;  ///< called by a worker; may throw
@@ -64,8 +67,8 @@ class RenderTask final : public Task {
     [[nodiscard]] std::uint64_t memory_bytes() const override { return memory_bytes_; }
     [[nodiscard]] Urgency urgency() const override;
     [[nodiscard]] std::optional<Step> next_step() override;
-    [[nodiscard]] bool ended() const override { return is_ended_; }
-    void fail(const std::string& reason) noexcept override;
+    [[nodiscard]] bool ended() const override;
+    void fail(std::string reason) noexcept override;
 
     /// Begins no other unit. A task that has not begun ends at once and tells nobody; any other
     /// ends, as cancelled, once the units under way have given up. Returns whether it ended at
@@ -76,31 +79,53 @@ class RenderTask final : public Task {
     void interrupt() { give_up_ = true; }
 
     [[nodiscard]] JobProgress progress() const;
-    /// Names of the images that file() has now.
+    /// Names of the images that can be had now, from file() or, of an ended task, from the store.
     [[nodiscard]] std::vector<std::string> images() const;
     /// A file of the newest complete pass, as JobService::file. Conflict, code "job-not-finished",
-    /// before there is one.
+    /// before there is one and once the task has ended.
     [[nodiscard]] Result<ResultFile> file(const std::string& name) const;
 
   private:
-    enum class Phase { Waiting, Preparing, Rendering, Finishing, Ended };
+    enum class Phase {
+        Waiting,     ///< nothing was done
+        Preparing,   ///< a worker builds the scene; there is no render yet
+        Rendering,   ///< units are handed out and merged, under the lock
+        EndingPass,  ///< one worker has the render to itself, without the lock; no units are left
+        Finishing,   ///< likewise: the files are made
+        Ended        ///< there is no render any more
+    };
     using Clock = std::chrono::steady_clock;
     class StepGuard;
 
-    void prepare();
-    void end_locked();
-    [[nodiscard]] bool merge_locked(std::unique_ptr<renderer::UnitResult> result);
-    void trace(const renderer::Unit& unit);
-    void make_preview(const renderer::Picture& picture);
-    void finish();
-    [[nodiscard]] RenderOutcome outcome();
+    /// What can be shown of a running job. Never changes, so that it is read without the lock.
+    struct Shown {
+        std::optional<renderer::Picture> picture;  ///< empty before the first complete pass
+        renderer::Report report;
+        renderer::OutputSettings output;
+        JobDigests digests;
+    };
 
-    [[nodiscard]] double seconds_locked() const;
-    [[nodiscard]] JobProgress progress_locked() const;
-    [[nodiscard]] renderer::Report report_locked() const;
+    void prepare();
+    void trace(const renderer::Render& render, const renderer::Unit& unit);
+    void end_pass(std::unique_ptr<renderer::UnitResult> last);
+    void make_preview(const Shown& shown);
+    void finish();
+
+    /// A file that is made when it is asked for: all but the PNG.
+    [[nodiscard]] static Result<std::string> made_anew(const std::string& name, const Shown& shown,
+                                                       const renderer::ImageInfo& png_info);
+    void begin_rendering(PreparedRender prepared);
+    [[nodiscard]] std::shared_ptr<const Shown> look() const;
+    [[nodiscard]] RenderOutcome outcome() noexcept;
+    [[nodiscard]] RenderOutcome outcome_of_render();
+
     [[nodiscard]] bool is_over_locked() const;
+    [[nodiscard]] std::optional<Step> take_unit_locked();
+    void leave_rendering_locked(Phase next);
+    [[nodiscard]] double seconds() const;
+    [[nodiscard]] JobProgress progress_locked() const;
+    [[nodiscard]] std::optional<JobProgress> progress_event_locked(Clock::time_point now);
     [[nodiscard]] bool is_preview_due_locked(Clock::time_point now) const;
-    void note_error_locked();
 
     const JobId id_;
     const int priority_;
@@ -109,23 +134,27 @@ class RenderTask final : public Task {
     RenderListener& listener_;
 
     std::atomic<bool> give_up_ = false;  ///< units under way end without a result
-    std::atomic<bool> is_ended_ = false;
-    std::atomic<bool> is_ending_pass_ =
-        false;  ///< a worker holds mutex_ for long; no units are left
+
     mutable std::mutex mutex_;
-    Phase phase_ = Phase::Waiting;  // guarded by mutex_, as all below
+    Phase phase_ = Phase::Waiting;  // guarded by mutex_, as all below but prepared_
     int steps_under_way_ = 0;
     int units_under_way_ = 0;  ///< handed out and not merged
     bool is_cancelled_ = false;
+    bool is_complete_ = false;  ///< the render has done all that was asked for
     std::string failure_;
-    PreparedRender prepared_;
-    Clock::time_point render_began_;
-    JobProgress last_progress_;  ///< the error of the newest pass; all of it once ended
-    std::string png_;            ///< the newest preview
-    renderer::ImageInfo shown_;  ///< what it shows
+    JobProgress progress_;  ///< as it was when the phase Rendering was left; the error always
+    std::shared_ptr<const Shown> shown_;  ///< null before Rendering and once ended
+    bool has_preview_ = false;
+    Content png_;                   ///< the newest preview; empty once ended
+    renderer::ImageInfo png_info_;  ///< what it shows
     bool is_making_preview_ = false;
     Clock::time_point last_preview_, last_progress_event_;
     Clock::duration preview_cost_{};
+
+    // Set by prepare(), let go of by finish(). In the phase Rendering it is used under mutex_ (but
+    // for Render::trace), in EndingPass and Finishing by the one worker whose step that is.
+    PreparedRender prepared_;
+    Clock::time_point render_began_;  ///< set before the phase Rendering; does not change
 };
 
 }  // namespace bouguer::server

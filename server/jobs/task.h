@@ -36,7 +36,7 @@ class Task {
     /// No step is under way and none will come.
     [[nodiscard]] virtual bool ended() const = 0;
     /// A step threw. The task ends as soon as its other steps have.
-    virtual void fail(const std::string& reason) noexcept = 0;
+    virtual void fail(std::string reason) noexcept = 0;
 };
 
 }  // namespace bouguer::server

@@ -7,6 +7,18 @@
 #include <optional>
 
 namespace bouguer::server {
+namespace {
+
+/// Does not throw, not even when there is no memory for the text.
+std::string internal_error(const char* what) noexcept {
+    try {
+        return std::string("internal error: ") + what;
+    } catch (...) {
+        return "out of memory";  // short enough to need none
+    }
+}
+
+}  // namespace
 
 WorkerPool::WorkerPool(Scheduler& scheduler, int threads)
     : scheduler_(scheduler), num_threads_(std::max(1, threads)) {
@@ -47,7 +59,7 @@ void WorkerPool::run(Scheduler::Work& work) {
     } catch (const std::bad_alloc&) {
         work.task->fail("out of memory");
     } catch (const std::exception& e) {
-        work.task->fail(std::string("internal error: ") + e.what());
+        work.task->fail(internal_error(e.what()));
     } catch (...) {
         work.task->fail("internal error");
     }

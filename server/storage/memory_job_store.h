@@ -10,7 +10,7 @@
 namespace bouguer::server {
 
 /// Forgets everything when it is destroyed.
-class MemoryJobStore final : public JobStore {
+class MemoryJobStore : public JobStore {
   public:
     [[nodiscard]] Result<InsertedJob> insert(const Job& job, const IdempotencyKey& key) override;
     [[nodiscard]] Result<Job> find(const JobId& id) const override;

@@ -43,9 +43,9 @@ class FakeTask final : public Task {
         const std::lock_guard lock(mutex_);
         return under_way_ == 0 && (first_ + later_ == 0 || !failure_.empty());
     }
-    void fail(const std::string& reason) noexcept override {
+    void fail(std::string reason) noexcept override {
         const std::lock_guard lock(mutex_);
-        failure_ = reason;
+        failure_ = std::move(reason);
     }
 
     int steps_done() const {

@@ -361,6 +361,62 @@ TEST_F(JobManagerTest, ValidatesWithoutRendering) {
     EXPECT_TRUE(manager->list(10, "", std::nullopt)->jobs.empty());
 }
 
+/// Gives a job as it was before `after_read`, which may let time go by.
+class SlowReader final : public MemoryJobStore {
+  public:
+    Result<Job> find(const JobId& id) const override {
+        auto job = MemoryJobStore::find(id);
+        if (const auto hook = std::exchange(after_read, {})) hook(id);
+        return job;
+    }
+    Result<JobListing> list(std::size_t limit, const std::string& cursor,
+                            std::optional<JobState> state) const override {
+        auto page = MemoryJobStore::list(limit, cursor, state);
+        if (const auto hook = std::exchange(after_read, {})) hook(page->jobs.at(0).id);
+        return page;
+    }
+    mutable std::function<void(const JobId&)> after_read;  ///< called once
+};
+
+// Between reading a job and asking its task for more, the job may end: what a client sees is of
+// before or of after.
+TEST_F(JobManagerTest, ShowsAJobThatEndsWhileItIsLookedAt) {
+    const auto look = [](const JobManager& manager, const JobId& id, int way) {
+        if (way == 0) return manager.find(id).value();
+        return manager.list(1, "", std::nullopt)->jobs.at(0);
+    };
+    for (const int way : {0, 1}) {
+        SlowReader jobs;
+        JobManager manager(jobs, results_, assets_, {.threads = 1});
+        ASSERT_TRUE(manager.start());
+        const JobId id = submit(manager, endless_job());
+        wait_for_picture(manager, id);
+        const auto cancel_and_wait = [&](const JobId& read) {
+            ASSERT_TRUE(manager.cancel(read));
+            wait_until([&] { return !results_.names(read)->empty(); });
+            std::this_thread::sleep_for(20ms);  // until the task is most likely forgotten
+        };
+        jobs.after_read = cancel_and_wait;
+        const JobView view = look(manager, id, way);
+        EXPECT_FALSE(view.images.empty()) << way;
+        EXPECT_GT(view.progress.samples, 0U) << way;
+    }
+}
+
+TEST_F(JobManagerTest, HasTheFileOfAJobThatEndsWhileItIsAskedFor) {
+    SlowReader jobs;
+    JobManager manager(jobs, results_, assets_, {.threads = 1});
+    ASSERT_TRUE(manager.start());
+    const JobId id = submit(manager, endless_job());
+    wait_for_picture(manager, id);
+    jobs.after_read = [&](const JobId& read) {
+        ASSERT_TRUE(manager.cancel(read));
+        wait_until([&] { return !results_.names(read)->empty(); });
+        std::this_thread::sleep_for(20ms);  // until the task is most likely forgotten
+    };
+    EXPECT_TRUE(manager.file(id, "image.exr"));
+}
+
 /// Cannot keep anything.
 class FullDisk final : public ResultStore {
   public:

@@ -79,6 +79,61 @@ TEST_F(RenderTaskTest, MakesEveryFileWhenItIsDone) {
     EXPECT_EQ(recorder_.begun, 1);
 }
 
+// The scheduler asks between a task's last step and the moment it lets go of it.
+TEST_F(RenderTaskTest, CanBeAskedOnceItHasEnded) {
+    const auto task = make(2, 3);
+    run(task);
+    EXPECT_TRUE(task->ended());
+    EXPECT_EQ(task->urgency(), Urgency::Finish);
+    EXPECT_FALSE(task->next_step());
+    EXPECT_EQ(task->progress().samples, 2U);
+    EXPECT_EQ(task->progress().fraction, 1.0);
+    EXPECT_EQ(task->file("report.json").error().code, "job-not-finished");
+    EXPECT_FALSE(task->cancel());
+}
+
+TEST_F(RenderTaskTest, CanBeAskedBetweenAllItsSteps) {
+    const auto task = make(2, 2);
+    int steps = 0;
+    while (auto step = task->next_step()) {
+        EXPECT_FALSE(task->ended());
+        (void)task->urgency();
+        (void)task->progress();
+        (void)task->file("report.json");
+        (*step)();
+        ++steps;
+    }
+    EXPECT_EQ(steps, 6) << "prepare, two passes of two units, finish";
+    EXPECT_TRUE(task->ended());
+}
+
+// Cancelled between the scene and the first unit, or while the scene is built.
+TEST_F(RenderTaskTest, CancelledWhilePreparingItEndsAsCancelled) {
+    std::shared_ptr<RenderTask> task;
+    task = make([&]() -> Result<PreparedRender> {
+        EXPECT_FALSE(task->cancel());
+        EXPECT_EQ(task->urgency(), Urgency::FirstPass);
+        EXPECT_FALSE(task->next_step()) << "not before the scene is there";
+        EXPECT_EQ(task->file("report.json").error().code, "job-not-finished");
+        return PreparedRender{std::make_unique<FakeRender>(2, 2), {}, {}, 0, {}};
+    });
+    const RenderOutcome outcome = run(task);
+    EXPECT_EQ(outcome.state, JobState::Cancelled);
+    EXPECT_TRUE(outcome.files.empty());
+    EXPECT_EQ(outcome.progress.samples, 0U);
+}
+
+TEST_F(RenderTaskTest, CancelledWhilePreparingFailsItEnds) {
+    std::shared_ptr<RenderTask> task;
+    task = make([&]() -> Result<PreparedRender> {
+        EXPECT_FALSE(task->cancel());
+        throw std::runtime_error("no scene");
+    });
+    const RenderOutcome outcome = run(task);
+    EXPECT_NE(outcome.state, JobState::Done);
+    EXPECT_TRUE(outcome.files.empty());
+}
+
 TEST_F(RenderTaskTest, FailsWhenTheSceneCannotBeBuilt) {
     const RenderOutcome outcome = run(make([]() -> Result<PreparedRender> {
         return fail(ErrorKind::InvalidInput, "the mesh is gone");
@@ -227,6 +282,13 @@ TEST_F(RenderTaskTest, AnotherJobGoesOnWhileAPassIsEnded) {
     pool.wake();
     EXPECT_EQ(other.wait().state, JobState::Done);
     EXPECT_FALSE(large->ended());
+    // Nor does whoever asks: a client gets what was there before the pass.
+    EXPECT_EQ(large->urgency(), Urgency::FirstPass);
+    EXPECT_FALSE(large->next_step());
+    EXPECT_EQ(large->progress().samples, 0U);
+    EXPECT_TRUE(large->file("plan.json"));
+    EXPECT_EQ(large->file("image.exr").error().code, "job-not-finished");
+    EXPECT_FALSE(large->cancel()) << "it ends later";
     go_on.set_value();
     EXPECT_EQ(recorder_.wait().state, JobState::Done);
 }
