@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Submits a scene to a Bouguer daemon, follows its events and shows the picture as it improves.
+import { ask, follow, loadPicture, post } from "./daemon.js";
+
 const element = (id) => document.getElementById(id);
 const say = (text) => { element("status").textContent = text; };
-let stream = null;
+let stopFollowing = () => {};
+let newestPicture = "";
 
 const example = {
   format: "bouguer-scene/1", name: "amber ball", units: "cm",
@@ -27,14 +30,6 @@ element("file").addEventListener("change", async (event) => {
   if (file) element("document").value = await file.text();
 });
 
-/** The answer's JSON; throws the problem document of a refusal. */
-async function call(url, options) {
-  const response = await fetch(url, options);
-  const body = await response.json();
-  if (!response.ok) throw body;
-  return body;
-}
-
 /** What is wrong, one line a problem: RFC 9457 with JSON pointers. */
 function showProblems(problem) {
   const errors = problem.errors ?? [{ pointer: "", detail: problem.detail ?? problem.message }];
@@ -43,7 +38,7 @@ function showProblems(problem) {
     item.textContent = `${error.pointer || "document"}: ${error.detail}`;
     return item;
   }));
-  say(problem.title ?? "The daemon cannot be reached from this page (see README.md beside it).");
+  say(problem.title ?? "The document cannot be read.");
 }
 
 function showProgress(progress) {
@@ -57,33 +52,38 @@ function showProgress(progress) {
 }
 
 /** Loads the newest picture; `version` keeps the browser from showing an old one. */
-function showPicture(job, version) {
-  const picture = element("picture");
-  picture.src = `${job}/image.png?v=${version}`;
-  picture.hidden = false;
+async function showPicture(job, version) {
+  const url = newestPicture = `${job}/image.png?v=${version}`;
+  const picture = await loadPicture(url, () => url === newestPicture);
+  if (url !== newestPicture) return;
+  element("picture").src = picture.src;
+  element("picture").hidden = false;
 }
 
-function follow(job) {
-  stream = new EventSource(`${job}/events`);
-  const on = (type, action) => stream.addEventListener(type, (event) => action(JSON.parse(event.data), event));
-  on("snapshot", (view) => showProgress(view.progress));
-  on("progress", (data) => showProgress(data.progress ?? data));
-  on("preview", (_, event) => showPicture(job, event.lastEventId));
-  on("done", async () => {
-    stop();
-    const view = await call(job);
-    if (view.state !== "done") return say(`The job ended as ${view.state}.`);
-    element("bar").value = 1;
-    showPicture(job, "done");
-    for (const name of ["png", "exr"]) element(name).href = `${job}/image.${name}`;
-    element("report").href = `${job}/report`;
-    element("links").hidden = false;
+async function showEnd(job, view) {
+  stop();
+  if (view.state !== "done") return say(`The job ended as ${view.state}.`);
+  showProgress(view.progress);
+  await showPicture(job, "done");
+  for (const name of ["png", "exr"]) element(name).href = `${job}/image.${name}`;
+  element("report").href = `${job}/report`;
+  element("links").hidden = false;
+}
+
+function watch(job) {
+  stopFollowing = follow(job, {
+    snapshot: (view) => showProgress(view.progress),
+    progress: (data) => showProgress(data.progress),
+    preview: (_, id) => showPicture(job, id).catch(showProblems),
+    done: (view) => showEnd(job, view).catch(showProblems),
+    waiting: say,
+    failed: showProblems,
   });
 }
 
 function stop() {
-  stream?.close();
-  stream = null;
+  stopFollowing();
+  newestPicture = "";
   element("cancel").disabled = true;
   element("submit").disabled = false;
 }
@@ -102,18 +102,17 @@ element("form").addEventListener("submit", async (event) => {
   element("links").hidden = true;
   element("bar").value = 0;
   const root = element("url").value.replace(/\/+$/, "");
+  element("submit").disabled = true;
   try {
-    const view = await call(`${root}/v1/jobs`, {
-      method: "POST",
-      headers: { "Content-Type": "application/json" },
-      body: JSON.stringify(jobOf(element("document").value)),
-    });
+    const text = JSON.stringify(jobOf(element("document").value));
+    const unreached = "If it does run, it does not allow this page: see README.md beside it.";
+    const view = await post(`${root}/v1/jobs`, text, (reason) => say(`${reason} ${unreached}`));
     const job = `${root}/v1/jobs/${view.id}`;
-    element("submit").disabled = true;
     element("cancel").disabled = false;
-    element("cancel").onclick = () => fetch(`${job}/cancel`, { method: "POST" });
-    follow(job);
+    element("cancel").onclick = () => ask(`${job}/cancel`, { method: "POST" }, say).catch(showProblems);
+    watch(job);
   } catch (problem) {
+    element("submit").disabled = false;
     showProblems(problem);
   }
 });

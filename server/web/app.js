@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The daemon's page: submit a scene, follow its events, look at what comes.
+import { ask, askText, follow, post } from "/daemon.js";
 import { clearJob, element, make, percent, showLinks, showPicture, showProgress, showReport } from "/job_view.js";
 import { offerLook, withdrawLook } from "/look.js";
 
-let stream = null;
-let follower = 0;  // grows with every job that is shown: late answers for another are dropped
+let stopFollowing = () => {};
 
 const say = (text) => { element("status").textContent = text; };
-
-/** The answer's JSON; throws the problem document of a refusal. */
-async function call(url, options) {
-  const response = await fetch(url, options);
-  const body = await response.json();
-  if (!response.ok) throw body;
-  return body;
-}
-const post = (url, body) => call(url, { method: "POST", headers: { "Content-Type": "application/json" }, body });
 
 /** RFC 9457: one line a problem, each with its JSON pointer. */
 function showProblems(problem) {
@@ -38,15 +29,9 @@ function jobText() {
   return JSON.stringify({ format: "bouguer-job/1", scene: parsed, stop });
 }
 
-function stopFollowing() {
-  stream?.close();
-  stream = null;
+async function showEnd(job, view) {
   element("cancel").disabled = true;
-}
-
-async function onEnd(job) {
-  stopFollowing();
-  const view = await call(job);
+  showProgress(view.progress);
   if (view.state === "done") element("bar").value = 1;
   else say(`The job ended as ${view.state}${view.failure ? `: ${view.failure}` : "."}`);
   if (view.images.length > 0) {
@@ -62,33 +47,32 @@ async function onEnd(job) {
 }
 
 /** Shows a job from now until it ends. */
-function follow(id, name) {
+function watch(id, name) {
   stopFollowing();
   clearJob();
   withdrawLook();
-  const mine = ++follower;
   const job = `/v1/jobs/${id}`;
   history.replaceState(null, "", `#${id}`);
   element("title").textContent = name || "Picture";
   element("cancel").disabled = false;
-  element("cancel").onclick = () => call(`${job}/cancel`, { method: "POST" }).catch(showProblems);
-  stream = new EventSource(`${job}/events`);
-  const on = (type, action) => stream.addEventListener(type, (event) => {
-    if (mine === follower) action(JSON.parse(event.data), event);
+  element("cancel").onclick = () => ask(`${job}/cancel`, { method: "POST" }, say).catch(showProblems);
+  stopFollowing = follow(job, {
+    snapshot: (view) => {
+      element("title").textContent = view.name || "Picture";
+      showProgress(view.progress);
+      if (view.images.length > 0) showPicture(job, `v=${view.revision}-${view.progress.pass}`);
+      showReport(job);
+    },
+    progress: (data) => showProgress(data.progress),
+    preview: (data, eventId) => {
+      showProgress(data.progress);
+      showPicture(job, `v=${eventId}`);
+      showReport(job);
+    },
+    done: (view) => showEnd(job, view).catch(showProblems),
+    waiting: say,
+    failed: showProblems,
   });
-  on("snapshot", (view) => {
-    element("title").textContent = view.name || "Picture";
-    showProgress(view.progress);
-    if (view.images.length > 0) showPicture(job, `v=${view.revision}-${view.progress.pass}`);
-    showReport(job);
-  });
-  on("progress", (data) => showProgress(data.progress));
-  on("preview", (data, event) => {
-    showProgress(data.progress);
-    showPicture(job, `v=${event.lastEventId}`);
-    showReport(job);
-  });
-  on("done", () => onEnd(job));
 }
 
 function jobRow(view) {
@@ -96,7 +80,7 @@ function jobRow(view) {
   const error = view.progress.relative_rmse;
   const open = make("button", "Show");
   open.type = "button";
-  open.addEventListener("click", () => follow(view.id, view.name));
+  open.addEventListener("click", () => watch(view.id, view.name));
   const action = make("td", "");
   action.append(open);
   row.append(make("td", view.name || "unnamed"), make("td", view.state, `state-${view.state}`), make("td", view.progress.samples || ""),
@@ -105,7 +89,7 @@ function jobRow(view) {
 }
 
 async function showJobs() {
-  const page = await call("/v1/jobs?limit=10");
+  const page = await ask("/v1/jobs?limit=10");
   element("jobs").tBodies[0].replaceChildren(...page.jobs.map(jobRow));
 }
 
@@ -123,30 +107,32 @@ async function showReadiness() {
 }
 
 async function showExample() {
-  const response = await fetch(`/examples/${element("example").value}.json`);
-  element("document").value = await response.text();
+  element("document").value = await askText(`/examples/${element("example").value}.json`);
 }
 
-/** Runs an action of the form; what it throws is shown. */
+/** Runs an action of the form, one at a time; what it throws is shown. */
 async function attempt(action) {
+  const buttons = [element("submit"), element("validate")];
   element("problems").replaceChildren();
+  for (const button of buttons) button.disabled = true;
   try {
     await action();
   } catch (problem) {
     showProblems(problem);
   }
+  for (const button of buttons) button.disabled = false;
 }
 
 element("form").addEventListener("submit", (event) => {
   event.preventDefault();
   attempt(async () => {
-    const view = await post("/v1/jobs", jobText());
-    follow(view.id, view.name);
+    const view = await post("/v1/jobs", jobText(), say);
+    watch(view.id, view.name);
     await showJobs();
   });
 });
 element("validate").addEventListener("click", () => attempt(async () => {
-  const answer = await post("/v1/scenes/validate", jobText());
+  const answer = await post("/v1/scenes/validate", jobText(), say);
   const kernel = answer.plan ? ` It would run ${answer.plan.kernel}.` : "";
   element("problems").replaceChildren(make("li", `The document is accepted.${kernel}`, "good"));
 }));
@@ -160,4 +146,4 @@ showExample();
 showReadiness();
 setInterval(showReadiness, 5000);
 showJobs().catch(showProblems);
-if (location.hash) follow(location.hash.slice(1), "");  // a link to a job
+if (location.hash) watch(location.hash.slice(1), "");  // a link to a job

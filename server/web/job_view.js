@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shows one job: progress, picture, error curve, health, plan.
+import { ask, loadPicture } from "/daemon.js";
 import { drawErrorPlot } from "/error_plot.js";
 
 export const element = (id) => document.getElementById(id);
 export const percent = (x, digits = 2) => `${(100 * x).toPrecision(digits)} %`;
 
+let newestPicture = "";
+
 /** The answer's JSON, or null when there is nothing yet. */
-async function optional(url) {
-  const response = await fetch(url);
-  return response.ok ? response.json() : null;
-}
+const optional = (url) => ask(url).catch(() => null);
 
 function make(name, text, className) {
   const made = document.createElement(name);
@@ -29,13 +29,12 @@ export function showProgress(progress) {
 }
 
 /** `query` chooses display, exposure and white; `v=...` tells the browser that the picture is another one. */
-export function showPicture(job, query) {
-  const next = new Image();
-  next.addEventListener("load", () => {
-    element("picture").src = next.src;
-    element("picture").hidden = false;
-  });
-  next.src = `${job}/image.png?${query}`;
+export async function showPicture(job, query) {
+  const url = newestPicture = `${job}/image.png?${query}`;
+  const picture = await loadPicture(url, () => url === newestPicture).catch(() => null);
+  if (picture === null || url !== newestPicture) return;
+  element("picture").src = picture.src;
+  element("picture").hidden = false;
 }
 
 const healthRows = [
@@ -84,6 +83,7 @@ export function showLinks(job) {
 }
 
 export function clearJob() {
+  newestPicture = "";
   element("bar").value = 0;
   element("links").hidden = true;
   element("picture").hidden = true;

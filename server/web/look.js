@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a finished picture is shown: display, exposure and white, without rendering again.
+import { ask } from "/daemon.js";
 import { element, make } from "/job_view.js";
 
 const fields = { display: element("look-display"), exposure: element("look-exposure"), white: element("look-white") };
@@ -14,7 +15,7 @@ function choices(names) {
 }
 
 async function fillChoices() {
-  const { displays, spectra } = await (await fetch("/v1/library")).json();
+  const { displays, spectra } = await ask("/v1/library");
   fields.display.append(...choices(displays.map(({ name }) => name)));
   fields.white.append(...choices(spectra.filter(({ kind }) => kind === "illuminant").map(({ name }) => name)));
 }
