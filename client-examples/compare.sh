@@ -15,6 +15,8 @@ map=${3:-compare.png}
 query=${4:+&$4}
 url=${BOUGUER_URL:-http://127.0.0.1:8080}
 here=$(cd "$(dirname "$0")" && pwd)
+# shellcheck source=client-examples/ask.sh
+source "$here/ask.sh"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -23,6 +25,10 @@ render() { "$here/submit.sh" "$1" "$work/picture" | tee /dev/stderr | sed -n 's/
 
 a=$(render "$1")
 b=$(render "$2")
-curl -sS --fail-with-body "$url/v1/compare?a=$a&b=$b$query" || { echo >&2; exit 1; }
+ask "$work/figures" "$url/v1/compare?a=$a&b=$b$query"
+cat "$work/figures"
 echo
-curl -sSf -o "$map" "$url/v1/compare.png?a=$a&b=$b$query"
+[ "$code" = 200 ] || exit 1
+ask "$work/map" "$url/v1/compare.png?a=$a&b=$b$query"
+[ "$code" = 200 ] || refuse "There is no map" "$work/map"
+cp "$work/map" "$map"

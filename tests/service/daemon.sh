@@ -25,10 +25,10 @@ fail() {
     exit 1
 }
 
-# start_daemon [option of serve ...]: on $work/data, with two threads.
+# start_daemon [option of serve ...]: on $work/data, with two threads; at $port if that is set, else at any free one.
 start_daemon() {
     rm -f "$work/data/port"
-    "$bouguer" serve --listen 127.0.0.1:0 --data "$work/data" --assets "$source_dir/client-examples/scenes/lee" \
+    "$bouguer" serve --listen "127.0.0.1:${port:-0}" --data "$work/data" --assets "$source_dir/client-examples/scenes/lee" \
         --threads 2 "$@" >>"$work/out" 2>>"$work/log" &
     daemon=$!
     for _ in $(seq 200); do
