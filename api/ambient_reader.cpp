@@ -14,7 +14,7 @@ constexpr std::int64_t kMostRays = 64;
 renderer::ExplicitWeights read_explicit(const JsonValue& value, const NameIndex& objects) {
     renderer::ExplicitWeights weights;
     weights.k.assign(objects.size(), 0);
-    for (const auto& [name, json] : value.json().items()) {
+    for (const auto& [name, json] : value.json().members()) {
         const JsonValue weight = value.member(name);
         const auto object = objects.find(name);
         if (object == objects.end()) {

@@ -43,7 +43,8 @@ struct JobRequest {
 
 /// Reads a job (`bouguer-job/1`), or a bare scene (`bouguer-scene/1`) as a job with every default.
 /// Error{Malformed}: not JSON, too deep, duplicate key, invalid UTF-8. Error{InvalidInput}: values,
-/// all problems at once. Error{TooLarge}: over `limits.body_bytes`. Thread-safe.
+/// all problems at once. Error{TooLarge}: over `limits.body_bytes`. Error{Busy}, code
+/// "out-of-memory": memory ran out on the way. Thread-safe.
 [[nodiscard]] Result<JobRequest> parse_job(std::string_view text, const Limits& limits,
                                            const AssetSource& assets);
 

@@ -72,7 +72,7 @@ renderer::StopRule read_stop(const JsonValue& value, const Limits& limits) {
         stop.seconds = at->number({0, limits.seconds, true, false, true});
     }
     if (const auto at = reader.find("error")) stop.error = at->number(kRelativeError);
-    if (value.json().empty()) {
+    if (value.json().size() == 0) {
         value.report("missing", "a stop rule needs a condition",
                      "at least one of \"samples\", \"seconds\" and \"error\"");
     }
@@ -123,8 +123,8 @@ std::map<std::string, std::string> read_labels(const JsonValue& value, const Lim
                      "at most " + std::to_string(limits.labels) + " labels");
         return labels;
     }
-    for (const auto& [name, json] : value.json().items()) {
-        labels[name] = value.member(name).text(limits.name_bytes).value_or("");
+    for (const auto& [name, json] : value.json().members()) {
+        labels[std::string(name)] = value.member(name).text(limits.name_bytes).value_or("");
     }
     return labels;
 }

@@ -2,15 +2,10 @@
 #include "api/json_builder.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "api/json_value.h"
 
 namespace bouguer::api {
-
-std::string json_string(std::string_view text) {
-    return Json(std::string(text)).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 std::string json_number(double x) { return std::isfinite(x) ? number_text(x) : "null"; }
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <string_view>
 
+#include "api/json_string.h"
+
 namespace bouguer::api {
 
-/// `text` as a JSON string, quoted and escaped; bytes that are no UTF-8 are replaced.
-[[nodiscard]] std::string json_string(std::string_view text);
 /// `x` as short as it round-trips; "null" when it is not finite.
 [[nodiscard]] std::string json_number(double x);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "api/json_text.h"
 #include "api/nearest_name.h"
 
 namespace bouguer::api {
@@ -69,7 +70,7 @@ std::string_view JsonReader::one_of(std::string_view key,
 
 void JsonReader::reject_unknown_keys() const {
     if (!is_object()) return;
-    for (const auto& [key, member] : value_.json().items()) {
+    for (const auto& [key, member] : value_.json().members()) {
         if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
         Problems& problems = value_.problems();
         if (problems.is_full()) {
@@ -83,7 +84,7 @@ void JsonReader::reject_unknown_keys() const {
 }
 
 void report_unknown_type(const JsonValue& type, const std::vector<std::string_view>& names) {
-    const auto& name = type.json().get_ref<const std::string&>();
+    const std::string_view name = type.json().text();
     type.report("unknown-type", "there is no such type." + did_you_mean(name, names),
                 "one of " + quoted_list(names));
 }

@@ -62,7 +62,7 @@ template <class Table>
         type->report_type("a string");
         return nullptr;
     }
-    const auto& name = type->json().template get_ref<const std::string&>();
+    const std::string_view name = type->json().text();
     std::vector<std::string_view> names;
     for (const auto& entry : table) {
         if (entry.name == name) return &entry;

@@ -35,9 +35,9 @@ inline constexpr Interval kUnit{0, 1};
 class JsonValue {
   public:
     JsonValue(const Json& json, std::string pointer, Problems& problems)
-        : json_(&json), pointer_(std::move(pointer)), problems_(&problems) {}
+        : json_(json), pointer_(std::move(pointer)), problems_(&problems) {}
 
-    [[nodiscard]] const Json& json() const { return *json_; }
+    [[nodiscard]] const Json& json() const { return json_; }
     [[nodiscard]] const std::string& pointer() const { return pointer_; }
     [[nodiscard]] Problems& problems() const { return *problems_; }
 
@@ -74,7 +74,7 @@ class JsonValue {
         const std::vector<std::string_view>& words) const;
 
   private:
-    const Json* json_;
+    Json json_;
     std::string pointer_;
     Problems* problems_;
 };

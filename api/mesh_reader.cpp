@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,14 +28,11 @@ std::optional<renderer::Shape> accept(const JsonValue& value,
     return std::nullopt;
 }
 
-/// Whether a row is `size` numbers. Meshes are large: the row's place is worked out only on
+/// Whether a row is `size` coordinates. Meshes are large: the row's place is worked out only on
 /// failure.
-bool is_row(const Json& row, std::size_t size) {
-    if (!row.is_array() || row.size() != size) return false;
-    for (const Json& number : row) {
-        if (!number.is_number() || !kCoordinate.contains(number.get<double>())) return false;
-    }
-    return true;
+bool is_row(std::span<const double> row, std::size_t size) {
+    return row.size() == size &&
+           std::all_of(row.begin(), row.end(), [](double x) { return kCoordinate.contains(x); });
 }
 
 /// The rows of [[a, b, c], ...], each made into a T by `make`; empty after a report.
@@ -44,7 +43,7 @@ std::optional<std::vector<T>> read_rows(const JsonValue& value, std::size_t size
     std::vector<T> rows;
     rows.reserve(value.json().size());
     for (std::size_t i = 0; i < value.json().size(); ++i) {
-        const Json& row = value.json()[i];
+        const auto row = value.json()[i].packed_numbers();
         if (is_row(row, size)) {
             rows.push_back(make(row));
             continue;
@@ -60,23 +59,20 @@ std::optional<std::vector<T>> read_rows(const JsonValue& value, std::size_t size
     return rows;
 }
 
-Vec3 make_vec3(const Json& row) {
-    return {row[0].get<double>(), row[1].get<double>(), row[2].get<double>()};
-}
+Vec3 make_vec3(std::span<const double> row) { return {row[0], row[1], row[2]}; }
 
-Vec2 make_vec2(const Json& row) { return {row[0].get<double>(), row[1].get<double>()}; }
+Vec2 make_vec2(std::span<const double> row) { return {row[0], row[1]}; }
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Three unsigned integers below `vertices`, as nearly all triangles of a document are.
-std::optional<Triangle> plain_triangle(const Json& row, std::size_t vertices) {
-    if (!row.is_array() || row.size() != 3) return std::nullopt;
+/// Three whole numbers below `vertices`, as nearly all triangles of a document are.
+std::optional<Triangle> plain_triangle(std::span<const double> row, std::size_t vertices) {
+    if (row.size() != 3) return std::nullopt;
     Triangle corners{};
     for (std::size_t k = 0; k < 3; ++k) {
-        if (!row[k].is_number_unsigned()) return std::nullopt;
-        const auto index = row[k].get<std::uint64_t>();
-        if (index >= vertices) return std::nullopt;
-        corners[k] = static_cast<std::uint32_t>(index);
+        const double most = std::min(static_cast<double>(vertices), 0x1p32);
+        if (!(row[k] >= 0 && row[k] < most && std::trunc(row[k]) == row[k])) return std::nullopt;
+        corners[k] = static_cast<std::uint32_t>(row[k]);
     }
     return corners;
 }
@@ -107,7 +103,7 @@ std::optional<std::vector<Triangle>> read_triangles(const JsonValue& value, std:
     std::vector<Triangle> triangles;
     triangles.reserve(value.json().size());
     for (std::size_t i = 0; i < value.json().size(); ++i) {
-        auto corners = plain_triangle(value.json()[i], vertices);
+        auto corners = plain_triangle(value.json()[i].packed_numbers(), vertices);
         if (!corners) corners = checked_triangle(value.element(i), vertices);
         if (corners) triangles.push_back(*corners);
     }

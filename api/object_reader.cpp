@@ -20,7 +20,7 @@ std::optional<std::size_t> read_material_name(const JsonValue& value, const Name
         value.report_type("the name of a material");
         return std::nullopt;
     }
-    const auto& name = value.json().get_ref<const std::string&>();
+    const std::string_view name = value.json().text();
     if (const auto it = materials.find(name); it != materials.end()) return it->second;
     if (value.problems().is_full()) {
         value.report("unknown-name", {});

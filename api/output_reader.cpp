@@ -7,6 +7,9 @@
 #include <optional>
 #include <span>
 
+#include "api/json_builder.h"
+#include "api/json_parser.h"
+#include "api/json_text.h"
 #include "renderer/spectrum/display.h"
 #include "renderer/spectrum/spectra.h"
 
@@ -42,7 +45,7 @@ void read_display(JsonReader& reader, OutputSettings& output) {
 void read_exposure(JsonReader& reader, OutputSettings& output) {
     const auto at = reader.find("exposure");
     if (!at) return;
-    if (at->json() == "auto") {
+    if (at->json().is_text("auto")) {
         output.exposure.reset();
     } else if (at->json().is_number()) {
         output.exposure = at->number(kExposure);
@@ -105,26 +108,33 @@ void read_adaptation(JsonReader& reader, OutputSettings& output) {
     if (!known || !renderer::can_be_white(output.adaptation, *known)) report_missing_white(reader);
 }
 
-/// What a text means: a number, two of them, or a word.
-Json json_of(std::string_view text) {
-    const auto number = [](std::string_view part) -> std::optional<double> {
+/// What a text means, as JSON: a number, two of them, or a word.
+std::string json_of(std::string_view text) {
+    const auto number = [](std::string_view part) -> std::optional<std::string> {
         double x = 0;
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), x);
         const bool is_whole = error == std::errc{} && end == part.data() + part.size();
-        return is_whole && std::isfinite(x) ? std::optional(x) : std::nullopt;
+        return is_whole && std::isfinite(x) ? std::optional(json_number(x)) : std::nullopt;
     };
     if (const auto x = number(text)) return *x;
     const std::size_t comma = text.find(',');
-    if (comma == std::string_view::npos) return std::string(text);
+    if (comma == std::string_view::npos) return json_string(text);
     const auto x = number(text.substr(0, comma)), y = number(text.substr(comma + 1));
-    return x && y ? Json{*x, *y} : Json(std::string(text));
+    return x && y ? JsonArray().add_json(*x).add_json(*y).text() : json_string(text);
+}
+
+/// A text of our own making as a tree: no limit of documents holds for it.
+Result<JsonTree> read_own(std::string_view text) {
+    Limits limits;
+    limits.body_bytes = limits.name_bytes = SIZE_MAX;
+    return read_json_tree(text, limits);
 }
 
 /// What was found, in the client's own letters.
 void quote(const OutputTexts& texts, Problem& problem) {
     const std::string name = problem.pointer.substr(1, problem.pointer.find('/', 1) - 1);
     const auto text = texts.find(name);
-    if (text != texts.end()) problem.found = describe(Json(text->second));
+    if (text != texts.end()) problem.found = describe_text(text->second);
 }
 
 }  // namespace
@@ -143,10 +153,12 @@ void read_output(JsonReader& reader, OutputScope scope, OutputSettings& output) 
 
 Result<OutputSettings> read_output_texts(const OutputTexts& texts, OutputScope scope,
                                          const OutputSettings& base) {
-    Json object = Json::object();
-    for (const auto& [name, text] : texts) object[name] = json_of(text);
+    JsonObject object;
+    for (const auto& [name, text] : texts) object.set_json(name, json_of(text));
+    const auto tree = read_own(object.text());
+    if (!tree) return tl::unexpected(tree.error());
     Problems problems(texts.size() + 1);
-    JsonReader reader(JsonValue(object, "", problems));
+    JsonReader reader(JsonValue(tree->root(), "", problems));
     OutputSettings output = base;
     read_output(reader, scope, output);
     reader.reject_unknown_keys();
@@ -157,15 +169,19 @@ Result<OutputSettings> read_output_texts(const OutputTexts& texts, OutputScope s
 }
 
 Result<OutputSettings> read_report_output(std::string_view report) {
-    const Json json = Json::parse(report, nullptr, /*allow_exceptions=*/false);
     const auto damaged =
         fail(ErrorKind::Internal, "the report says nothing of the output", "result-damaged");
-    if (!json.is_object() || !json.contains("output") || !json["output"].is_object())
-        return damaged;
-    Json told = json["output"];
-    for (auto it = told.begin(); it != told.end();) it = it->is_null() ? told.erase(it) : ++it;
+    const auto whole = read_own(report);
+    const auto output_at = whole ? whole->root().find("output") : std::nullopt;
+    if (!output_at || !output_at->is_object()) return damaged;
+    JsonObject told;
+    for (const auto& [key, value] : output_at->members()) {
+        if (!value.is_null()) told.set_json(key, canonical_text(value));
+    }
+    const auto tree = read_own(told.text());
+    if (!tree) return damaged;
     Problems problems(1);
-    JsonReader reader(JsonValue(told, "", problems));
+    JsonReader reader(JsonValue(tree->root(), "", problems));
     OutputSettings output;
     if (const auto at = reader.find("scene_white")) output.scene_white = read_white(*at);
     read_output(reader, OutputScope::Files, output);

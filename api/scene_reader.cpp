@@ -48,7 +48,7 @@ std::vector<renderer::MaterialDescription> read_materials(const std::optional<Js
         value->report("over-limit", "there are too many materials",
                       "at most " + std::to_string(limits.materials) + " materials");
     }
-    for (const auto& [name, json] : value->json().items()) {
+    for (const auto& [name, json] : value->json().members()) {
         names.emplace(name, materials.size());
         if (materials.size() >= limits.materials) {  // known by name only
             materials.emplace_back();
@@ -76,7 +76,7 @@ std::vector<renderer::LightDescription> read_lights(const std::optional<JsonValu
 
 bool read_format(JsonReader& reader, std::string_view format) {
     const auto found = reader.require("format");
-    if (!found || found->json() == format) return true;
+    if (!found || found->json().is_text(format)) return true;
     const std::string allowed = quoted_list({format});
     if (found->json().is_string()) {
         found->report("unknown-format", "this format is not known here", allowed);

@@ -22,7 +22,7 @@ constexpr double kLeastShare = 1e-6;
 /// No key tells the kind: helps with the key that comes nearest to one that would.
 void report_no_kind(const JsonValue& value) {
     std::string hint;
-    for (const auto& [key, member] : value.json().items()) {
+    for (const auto& [key, member] : value.json().members()) {
         if (hint.empty()) hint = did_you_mean(key, kind_keys());
     }
     value.report("unknown-type", "no key of this object tells the kind of spectrum." + hint,
@@ -32,7 +32,7 @@ void report_no_kind(const JsonValue& value) {
 /// `what` is what the name should be of: "spectrum".
 void report_unknown_name(const JsonValue& value, const std::string& what,
                          const std::vector<std::string_view>& known) {
-    const auto& name = value.json().get_ref<const std::string&>();
+    const std::string_view name = value.json().text();
     value.report("unknown-name",
                  "there is no " + what + " of this name in the scene or in the library." +
                      (value.problems().is_full() ? "" : did_you_mean(name, known)),
@@ -83,7 +83,7 @@ SpectrumReader::SpectrumReader(std::optional<JsonValue> definitions, const Limit
                             "at most " + std::to_string(limits.spectra) + " spectra");
         state = Definition::State::Read;
     }
-    for (const auto& [name, json] : definitions->json().items()) {
+    for (const auto& [name, json] : definitions->json().members()) {
         definitions_.emplace(name, Definition{definitions->member(name), state, {}});
     }
 }
@@ -112,7 +112,7 @@ SpectrumPtr SpectrumReader::index(const JsonValue& value) {
         const auto n = value.number(kIndex);
         return n ? renderer::constant_spectrum(*n) : nullptr;
     }
-    if (value.json().is_string() && !is_known(value.json().get_ref<const std::string&>())) {
+    if (value.json().is_string() && !is_known(value.json().text())) {
         auto known = defined_names();
         append_names(known, renderer::index_entries());
         report_unknown_name(value, "index of refraction", known);
@@ -171,7 +171,7 @@ bool SpectrumReader::is_known(std::string_view name) const {
 }
 
 std::optional<ReadSpectrum> SpectrumReader::named(const JsonValue& value) {
-    const auto& name = value.json().get_ref<const std::string&>();
+    const std::string_view name = value.json().text();
     if (const auto it = definitions_.find(name); it != definitions_.end()) {
         return defined(value, it->second);
     }
@@ -185,7 +185,7 @@ std::optional<ReadSpectrum> SpectrumReader::named(const JsonValue& value) {
 }
 
 std::optional<renderer::ComplexIndex> SpectrumReader::named_metal(const JsonValue& value) {
-    auto metal = renderer::library_metal(value.json().get_ref<const std::string&>());
+    auto metal = renderer::library_metal(value.json().text());
     if (metal.n) return metal;
     std::vector<std::string_view> known;
     append_names(known, renderer::metal_entries());

@@ -40,7 +40,7 @@ TextureReader::TextureReader(std::optional<JsonValue> definitions, SpectrumReade
         definitions->report("over-limit", "there are too many textures",
                             "at most " + std::to_string(most) + " textures");
     }
-    for (const auto& [name, json] : definitions->json().items()) {
+    for (const auto& [name, json] : definitions->json().members()) {
         definitions_.emplace(name, Definition{definitions->member(name), is_over, {}});
     }
 }
@@ -75,7 +75,7 @@ TextureReader::Definition* TextureReader::named(const JsonValue& name) {
         name.report_type("the name of a texture");
         return nullptr;
     }
-    const auto& text = name.json().get_ref<const std::string&>();
+    const std::string_view text = name.json().text();
     if (const auto it = definitions_.find(text); it != definitions_.end()) return &it->second;
     std::vector<std::string_view> known;
     for (const auto& [defined, definition] : definitions_) known.push_back(defined);

@@ -107,7 +107,9 @@ std::optional<Transform> read_step(const JsonValue& value) {
         return step ? invertible(value, *step) : std::nullopt;
     }
     std::string hint;
-    if (!value.json().empty()) hint = did_you_mean(value.json().begin().key(), keys);
+    if (value.json().size() > 0) {
+        hint = did_you_mean((*value.json().members().begin()).key, keys);
+    }
     value.report("unknown-type", "no key of this object tells the kind of step." + hint,
                  "an object with one of the keys " + quoted_list(keys));
     return std::nullopt;

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "renderer/cameras/camera.h"
+#include "renderer/core/out_of_memory.h"
 #include "renderer/film/error_estimate.h"
 #include "renderer/film/film.h"
 #include "renderer/film/image_library.h"
@@ -208,7 +209,7 @@ Result<std::unique_ptr<Render>> Render::create(std::shared_ptr<const Scene> scen
     try {
         return std::make_unique<ProgressiveRender>(std::move(scene), *camera, settings, stop);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorKind::Internal, "out of memory for the film", "out-of-memory");
+        return out_of_memory();
     }
 }
 

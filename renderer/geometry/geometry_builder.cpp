@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "renderer/core/out_of_memory.h"
 #include "renderer/geometry/embree_geometry.h"
 
 namespace bouguer::renderer {
@@ -302,7 +303,7 @@ Result<std::unique_ptr<const Geometry>> Geometry::build(std::span<const PlacedSh
     try {
         return Builder(options).build(shapes);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorKind::Internal, "out of memory while building the geometry", "memory");
+        return out_of_memory();
     }
 }
 

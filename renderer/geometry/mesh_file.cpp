@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "renderer/core/out_of_memory.h"
 #include "renderer/geometry/mesh_readers.h"
 #include "renderer/geometry/mesh_text.h"
 
@@ -92,7 +93,7 @@ Result<std::shared_ptr<const TriangleMesh>> read_mesh(std::string_view bytes,
         if (!mesh) return tl::unexpected<Error>(std::move(mesh.error()));
         return checked_mesh(std::move(*mesh), limits);
     } catch (const std::bad_alloc&) {
-        return fail(ErrorKind::Internal, "out of memory while reading a mesh", "memory");
+        return out_of_memory();
     }
 }
 

@@ -18,6 +18,7 @@ thread_local Exchange* current_exchange = nullptr;
 
 constexpr Refusal kInternal{500, "internal-error",
                             "Something went wrong inside; the request id finds it in the log."};
+constexpr Refusal kOutOfMemory{503, "out-of-memory", "There is no memory for this now."};
 constexpr Refusal kWrongType{415, "media-type-not-supported",
                              "Send the body with Content-Type: application/json."};
 constexpr Refusal kForeignOrigin{403, "origin-not-allowed",
@@ -68,6 +69,18 @@ void replace_header(httplib::Response& response, const char* name, const std::st
     response.set_header(name, value);
 }
 
+/// A clean answer in place of whatever was begun: nothing has been sent yet.
+void answer_failure(Exchange& exchange, const Refusal& refusal, const char* error) {
+    current_exchange = nullptr;
+    exchange.error = error;
+    exchange.stream.reset();
+    exchange.waiting.reset();
+    exchange.content = {};
+    exchange.status = refusal.status;
+    exchange.close = true;
+    exchange.answer = refusal_bytes(refusal, exchange.request_id);
+}
+
 }  // namespace
 
 Router::Router(std::vector<std::string> cors_origins) : cors_origins_(std::move(cors_origins)) {
@@ -116,18 +129,13 @@ void Router::handle(Exchange& exchange) {
     try {
         process(exchange);
         return;
+    } catch (const std::bad_alloc&) {
+        return answer_failure(exchange, kOutOfMemory, "out of memory");
     } catch (const std::exception& e) {
-        exchange.error = e.what();
+        return answer_failure(exchange, kInternal, e.what());
     } catch (...) {
-        exchange.error = "an exception of unknown type";
+        return answer_failure(exchange, kInternal, "an exception of unknown type");
     }
-    // nothing has been sent yet: a clean answer replaces whatever was begun
-    exchange.stream.reset();
-    exchange.waiting.reset();
-    exchange.content = {};
-    exchange.status = kInternal.status;
-    exchange.close = true;
-    exchange.answer = refusal_bytes(kInternal, exchange.request_id);
 }
 
 void Router::process(Exchange& exchange) {

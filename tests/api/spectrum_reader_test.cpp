@@ -4,9 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "renderer/spectrum/spectra.h"
+#include "tests/api/json_testing.h"
 
 namespace bouguer::api {
 namespace {
@@ -29,20 +30,20 @@ std::string places_of(Problems problems) {
 class SpectrumReaderTest : public ::testing::Test {
   protected:
     renderer::SpectrumPtr index(const char* text) {
-        json_ = Json::parse(text);
-        return reader().index(JsonValue(json_, "/here", problems_));
+        json_ = tests::tree_of(text);
+        return reader().index(JsonValue(json_->root(), "/here", problems_));
     }
     std::optional<renderer::ComplexIndex> metal(const char* text) {
-        json_ = Json::parse(text);
-        return reader().metal(JsonValue(json_, "/here", problems_));
+        json_ = tests::tree_of(text);
+        return reader().metal(JsonValue(json_->root(), "/here", problems_));
     }
     renderer::SpectrumPtr factor(const char* text) {
-        json_ = Json::parse(text);
-        return reader().factor(JsonValue(json_, "/here", problems_));
+        json_ = tests::tree_of(text);
+        return reader().factor(JsonValue(json_->root(), "/here", problems_));
     }
     renderer::SpectrumPtr emission(const char* text) {
-        json_ = Json::parse(text);
-        return reader().emission(JsonValue(json_, "/here", problems_));
+        json_ = tests::tree_of(text);
+        return reader().emission(JsonValue(json_->root(), "/here", problems_));
     }
     /// The share of energy outside the rendered range that is noted of a light; 0 without a note.
     double share_outside(const char* text) {
@@ -56,18 +57,18 @@ class SpectrumReaderTest : public ::testing::Test {
 
   private:
     SpectrumReader& reader() {
-        reader_.emplace(JsonValue(definitions_, "/spectra", problems_), limits_);
+        reader_.emplace(JsonValue(definitions_.root(), "/spectra", problems_), limits_);
         return *reader_;
     }
 
     const Limits limits_;
-    const Json definitions_ = Json::parse(R"({
+    const JsonTree definitions_ = tests::tree_of(R"({
         "glass": { "n_d": 1.5168, "v_d": 64.17 },
         "alias": "glass",
         "lamp": { "blackbody_K": 2856 },
         "infrared": { "wavelengths_nm": [800, 860], "values": [1, 1] },
         "oil": { "wavelengths_nm": [400, 700], "values": [1.53, 1.51] } })");
-    Json json_;
+    std::optional<JsonTree> json_;
     Problems problems_{limits_.problems};
     std::optional<SpectrumReader> reader_;
 };

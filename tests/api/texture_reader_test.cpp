@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "tests/api/fake_assets.h"
+#include "tests/api/json_testing.h"
 
 namespace bouguer::api {
 namespace {
@@ -14,12 +15,12 @@ namespace {
 class TextureReaderTest : public testing::Test {
   protected:
     renderer::SurfaceSpectrum factor(const char* text) {
-        json_ = Json::parse(text);
-        return textures_.factor(JsonValue(json_, "/here", problems_));
+        json_ = tests::tree_of(text);
+        return textures_.factor(JsonValue(json_->root(), "/here", problems_));
     }
     renderer::SurfaceSpectrum emission(const char* text) {
-        json_ = Json::parse(text);
-        return textures_.emission(JsonValue(json_, "/here", problems_));
+        json_ = tests::tree_of(text);
+        return textures_.emission(JsonValue(json_->root(), "/here", problems_));
     }
     /// The only problem since the last call.
     Problem problem() {
@@ -33,20 +34,21 @@ class TextureReaderTest : public testing::Test {
     Problems problems_{limits_.problems};
 
   private:
-    const Json definitions_ = Json::parse(R"({
+    const JsonTree definitions_ = tests::tree_of(R"({
         "photo": { "type": "image", "path": "grey.png" },
         "sky": { "type": "image", "path": "hot.exr" },
         "board": { "type": "checker", "a": 3, "b": "leaf" },
         "wires": { "type": "grid", "line": 0, "ground": 0.5, "width": 0.2, "scale": [1, 5] },
         "torn": { "type": "image", "path": "noise.ply" } })");
-    const Json spectra_json_ =
-        Json::parse(R"({"leaf": {"wavelengths_nm": [400, 700], "values": [0.25, 0.25]}})");
+    const JsonTree spectra_json_ =
+        tests::tree_of(R"({"leaf": {"wavelengths_nm": [400, 700], "values": [0.25, 0.25]}})");
     const tests::FakeAssets source_;
     DocumentAssets assets_{source_, limits_};
     const ReadContext context_{limits_, assets_};
-    Json json_;
-    SpectrumReader spectra_{JsonValue(spectra_json_, "/spectra", problems_), limits_};
-    TextureReader textures_{JsonValue(definitions_, "/textures", problems_), spectra_, context_};
+    std::optional<JsonTree> json_;
+    SpectrumReader spectra_{JsonValue(spectra_json_.root(), "/spectra", problems_), limits_};
+    TextureReader textures_{JsonValue(definitions_.root(), "/textures", problems_), spectra_,
+                            context_};
 };
 
 TEST_F(TextureReaderTest, TakesSpectraAsTheyAre) {

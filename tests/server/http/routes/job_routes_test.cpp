@@ -167,6 +167,17 @@ TEST_F(JobRoutesTest, PreferWaitGivesUpInTime) {
     EXPECT_NE(response.body.find("\"running\""), std::string::npos);
 }
 
+TEST_F(JobRoutesTest, MemoryThatRunsOutIsA503ToTryAgain) {
+    start();
+    const JobId id = jobs.add();
+    jobs.on_find([] { throw std::bad_alloc(); });
+    const auto response = ask("GET", path_of(id));
+    EXPECT_TRUE(is_problem(response, 503, "out-of-memory")) << response.body;
+    EXPECT_NE(response.header("retry-after"), "");
+    jobs.on_find([] {});
+    EXPECT_EQ(ask("GET", path_of(id)).status, 200);
+}
+
 TEST_F(JobRoutesTest, AnExceptionIsA500WithoutItsText) {
     start();
     const JobId id = jobs.add();
