@@ -10,7 +10,7 @@
 outage_s=${2:-3}
 clients=${3:-$source_dir/client-examples}
 proxy=
-trap 'kill $(jobs -p) 2>/dev/null; clean_up' EXIT
+trap 'kill $(jobs -p) 2>/dev/null || true; clean_up' EXIT
 
 small_job 64 1 160 120 >"$work/job.json"
 "$bouguer" render "$work/job.json" -o "$work/reference.exr" >/dev/null
