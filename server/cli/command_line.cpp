@@ -10,6 +10,7 @@
 #include "renderer/integrators/integrator_registry.h"
 #include "renderer/spectrum/observer.h"
 #include "server/cli/document.h"
+#include "server/http/authority.h"
 
 namespace bouguer::server {
 namespace {
@@ -25,6 +26,13 @@ CLI::Validator within(double low, double high) {
                 return is_good ? std::string() : text + " is not a number in " + range;
             },
             "in " + range};
+}
+
+CLI::Validator host_name() {
+    return {[](const std::string& text) {
+                return authority_from(text) ? std::string() : text + " is not HOST or HOST:PORT";
+            },
+            ""};
 }
 
 void add_document(CLI::App& app, std::filesystem::path& document) {
@@ -114,8 +122,15 @@ void add_serve(CLI::App& app, ServeOptions& o) {
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
         ->capture_default_str();
     app.add_option("--cors-origin", o.cors_origins,
-                   "origin of web pages elsewhere that may call the API; may be repeated")
+                   "origin of web pages elsewhere that may call the API; may be repeated. * is "
+                   "every page, for reading only")
         ->type_name("ORIGIN");
+    app.add_option("--allowed-host", o.allowed_hosts,
+                   "name under which this service may be asked, e.g. behind a proxy; may be "
+                   "repeated. Loopback names are allowed by themselves, other addresses with "
+                   "--allow-remote, too")
+        ->check(host_name())
+        ->type_name("HOST[:PORT]");
     app.add_option("--drain-delay", o.drain_delay_s,
                    "seconds after SIGTERM in which /readyz says 503 and no job is taken, but all "
                    "else is served; then the daemon closes. A second signal ends it at once")

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "api/json_builder.h"
+#include "server/http/authority.h"
 #include "server/http/http_server.h"
 #include "server/jobs/job_manager.h"
 #include "server/log.h"
@@ -110,6 +111,9 @@ Result<Daemon> Daemon::start(const ServeOptions& options, const ListenAddress& a
     http.host = address.host;
     http.port = address.port;
     http.cors_origins = options.cors_origins;
+    for (const std::string& host : options.allowed_hosts) {
+        if (auto allowed = authority_from(host)) http.allowed_hosts.push_back(std::move(*allowed));
+    }
     auto server = HttpServer::start(*parts.manager, *parts.uploads, http, log_request);
     if (!server) return tl::unexpected(server.error());
     parts.http = std::move(*server);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server/cli/listen_address.h"
 
-#include <arpa/inet.h>
-
 #include <charconv>
 
 namespace bouguer::server {
@@ -22,15 +20,6 @@ std::optional<ListenAddress> listen_address_from(std::string_view text) {
     if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
     if (digits.front() == '-' || port > 65535) return std::nullopt;
     return ListenAddress{std::string(host), port};
-}
-
-bool is_loopback(std::string_view host) {
-    const std::string text(host);
-    in_addr v4{};
-    if (inet_pton(AF_INET, text.c_str(), &v4) == 1) return (ntohl(v4.s_addr) >> 24U) == 127;
-    in6_addr v6{};
-    if (inet_pton(AF_INET6, text.c_str(), &v6) == 1) return IN6_IS_ADDR_LOOPBACK(&v6) != 0;
-    return text == "localhost";
 }
 
 std::string url_of(const ListenAddress& address) {

@@ -16,9 +16,6 @@ struct ListenAddress {
 /// Empty when `text` is not HOST:PORT, or [IPv6]:PORT, with a port in [0, 65535].
 [[nodiscard]] std::optional<ListenAddress> listen_address_from(std::string_view text);
 
-/// Whether only this machine can reach the address: 127.0.0.0/8, ::1 and "localhost".
-[[nodiscard]] bool is_loopback(std::string_view host);
-
 /// "http://127.0.0.1:8080".
 [[nodiscard]] std::string url_of(const ListenAddress& address);
 

@@ -37,6 +37,7 @@ struct ServeOptions {
     double memory_gib = 0;         ///< of all running jobs together; 0: half of the machine's
     std::size_t queue = 1000;      ///< jobs that wait or run
     std::vector<std::string> cors_origins;
+    std::vector<std::string> allowed_hosts;  ///< HOST or HOST:PORT, as requests may name us
     int drain_delay_s = 0;  ///< from SIGTERM, when /readyz turns, to the closing of the listener
 };
 

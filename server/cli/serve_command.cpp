@@ -10,6 +10,7 @@
 #include "server/cli/daemon.h"
 #include "server/cli/document.h"
 #include "server/cli/stop_signal.h"
+#include "server/http/authority.h"
 #include "server/line_writer.h"
 #include "server/log.h"
 #include "server/storage/durable_file.h"

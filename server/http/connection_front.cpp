@@ -24,6 +24,9 @@ constexpr std::string_view kContinue = "HTTP/1.1 100 Continue\r\n\r\n";
 
 constexpr Refusal kOverloaded{503, "busy", "The server is busy; try again shortly."};
 constexpr Refusal kUnreadable{500, "storage-failed", "A stored file cannot be read."};
+constexpr Refusal kMisdirected{421, "misdirected-request",
+                               "This server does not go by the host that the request names; its "
+                               "operator can allow it with --allowed-host."};
 constexpr Refusal kTooSlow{408, "request-timeout", "The request did not arrive in time."};
 
 void watch(int epoll, int fd, std::uint64_t id, std::uint32_t events) {
@@ -55,6 +58,7 @@ ConnectionFront::ConnectionFront(Listener listener, const HttpOptions& options, 
       parts_(std::move(parts)),
       listener_(std::move(listener)),
       port_(listener_->port()),
+      hosts_(options.host, port_, options.allowed_hosts),
       epoll_(::epoll_create1(EPOLL_CLOEXEC)),
       request_salt_((std::uint64_t{std::random_device{}()} << 32U) | std::random_device{}()),
       pool_(options.handler_threads, options.limits.waiting_requests,
@@ -255,6 +259,8 @@ bool ConnectionFront::read_some(Connection& c) {
 }
 
 void ConnectionFront::on_head(Connection& c) {
+    // before anything is done for it, and for every path: whoever is deceived gets no answer
+    if (!hosts_.allows(c.reader.head())) return refuse(c, kMisdirected);
     const std::size_t size = c.reader.expected_body();
     // Uploads have a budget of their own, so that slow ones hold up nothing but each other.
     const bool is_upload = c.reader.head().is_upload();

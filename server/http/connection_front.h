@@ -10,6 +10,7 @@
 #include "server/http/connection.h"
 #include "server/http/event_hub.h"
 #include "server/http/handler_pool.h"
+#include "server/http/host_policy.h"
 #include "server/http/listener.h"
 #include "server/http/mailbox.h"
 
@@ -81,6 +82,7 @@ class ConnectionFront {
     const FrontParts parts_;
     std::optional<Listener> listener_;  ///< empty once draining
     const int port_;
+    const HostPolicy hosts_;
     FileDescriptor epoll_;
     std::shared_ptr<Mailbox<Message>> mail_ = std::make_shared<Mailbox<Message>>();
     ConnectionSlot::Counter open_ = std::make_shared<std::atomic<std::size_t>>(0);

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "server/http/authority.h"
+
 namespace bouguer::server {
 
 /// Bounds on what one client, or all together, may make the daemon hold. Each has a test that hits
@@ -45,8 +47,10 @@ struct HttpOptions {
     int port = 8080;  ///< 0: any free one
     int handler_threads = 4;
     std::size_t max_connections = 4096;  ///< event streams included; beyond: 503
+    /// Hosts that this server goes by beside those that its address implies (HostPolicy).
+    std::vector<Authority> allowed_hosts;
     /// Origins of web pages elsewhere that may call the API, e.g. "https://example.org"; "*" is
-    /// every one, "null" a page opened from a file.
+    /// every one, but for reading only, "null" a page opened from a file.
     std::vector<std::string> cors_origins;
     HttpLimits limits;
     HttpDeadlines deadlines;

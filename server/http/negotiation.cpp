@@ -4,16 +4,10 @@
 #include <algorithm>
 #include <charconv>
 
-#include "server/http/request_head.h"
+#include "server/http/field_syntax.h"
 
 namespace bouguer::server {
 namespace {
-
-std::string_view trimmed(std::string_view s) {
-    const auto first = s.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return s.substr(first, s.find_last_not_of(" \t") - first + 1);
-}
 
 /// Cuts the part before `separator` off the front.
 std::string_view next_part(std::string_view& rest, char separator) {

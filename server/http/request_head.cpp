@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 
 namespace bouguer::server {
@@ -15,28 +16,8 @@ Refused refuse(int status, std::string_view code, std::string_view detail) {
 }
 Refused malformed(std::string_view detail) { return refuse(400, "malformed-request", detail); }
 
-constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
-
-/// RFC 9110 §5.6.2
-constexpr bool is_token_char(char c) {
-    const bool alnum = (c >= '0' && c <= '9') || (lower(c) >= 'a' && lower(c) <= 'z');
-    return alnum || std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
-}
-bool is_token(std::string_view s) {
-    return !s.empty() && std::all_of(s.begin(), s.end(), is_token_char);
-}
-/// Field values: visible ASCII, space, tab and bytes over 127.
-constexpr bool is_value_char(char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return c == '\t' || (byte >= 0x20 && byte != 0x7f);
-}
-constexpr bool is_target_char(char c) { return c > 0x20 && c < 0x7f; }
-
-std::string_view trimmed(std::string_view s) {
-    const auto first = s.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return s.substr(first, s.find_last_not_of(" \t") - first + 1);
-}
+/// Visible ASCII; a fragment is never sent [RFC 9112 §3.2].
+constexpr bool is_target_char(char c) { return c > 0x20 && c < 0x7f && c != '#'; }
 
 /// Whether a comma-separated field value holds `token`.
 bool lists(std::string_view value, std::string_view token) {
@@ -51,14 +32,52 @@ bool lists(std::string_view value, std::string_view token) {
 constexpr std::array<std::string_view, 9> kMethods{"GET",     "HEAD",  "POST",  "PUT",    "DELETE",
                                                    "OPTIONS", "PATCH", "TRACE", "CONNECT"};
 
-/// http://host/path -> /path [RFC 9112 §3.2.2]
-std::string_view origin_form(std::string_view target) {
-    for (const std::string_view scheme : {"http://", "https://"}) {
-        if (target.substr(0, scheme.size()) != scheme) continue;
-        const auto slash = target.find('/', scheme.size());
-        return slash == std::string_view::npos ? std::string_view("/") : target.substr(slash);
+/// A '%' is followed by two digits [RFC 3986 §2.1]: the library would also read "%u002f".
+bool is_percent_encoded(std::string_view text) {
+    const auto is_hex = [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; };
+    for (std::size_t i = text.find('%'); i < text.size(); i = text.find('%', i + 1)) {
+        if (i + 2 >= text.size() || !is_hex(text[i + 1]) || !is_hex(text[i + 2])) return false;
     }
-    return target;
+    return true;
+}
+
+/// Whether decoding the path would make a delimiter or a control character of data: an encoded
+/// slash or backslash would name a resource that a path rule of a proxy before us has not seen.
+bool hides_something(std::string_view path) {
+    for (std::size_t i = path.find('%'); i < path.size(); i = path.find('%', i + 1)) {
+        unsigned byte = 0;
+        std::from_chars(path.data() + i + 1, path.data() + i + 3, byte, 16);
+        if (byte < 0x20 || byte == 0x7f || byte == '/' || byte == '\\') return true;
+    }
+    return false;
+}
+
+/// http://host/path -> host and /path [RFC 9112 §3.2.2]. False: it has no proper host.
+bool read_absolute_form(std::string_view target, RequestHead& head) {
+    const auto scheme_end = target.find("://");
+    if (scheme_end == std::string_view::npos) return true;
+    const std::string_view scheme = target.substr(0, scheme_end);
+    if (!equal_ignoring_case(scheme, "http") && !equal_ignoring_case(scheme, "https")) return true;
+    const std::string_view rest = target.substr(scheme_end + 3);
+    const auto path = std::min(rest.find_first_of("/?"), rest.size());
+    head.authority = authority_from(rest.substr(0, path));
+    head.target = '/';
+    head.target += rest.substr(rest.substr(path, 1) == "/" ? path + 1 : path);
+    return head.authority.has_value();
+}
+
+std::optional<Refusal> check_target(RequestHead& head) {
+    if (head.target.front() != '/' && !(head.target == "*" && head.method == "OPTIONS")) {
+        return Refusal{400, "malformed-request", "The target does not begin with a slash."};
+    }
+    if (!is_percent_encoded(head.target)) {
+        return Refusal{400, "malformed-request", "A percent sign is not followed by two digits."};
+    }
+    if (hides_something(head.path())) {
+        return Refusal{404, "not-found",
+                       "No address here has an encoded slash, backslash or control character."};
+    }
+    return std::nullopt;
 }
 
 std::optional<Refusal> parse_request_line(std::string_view line, const HttpLimits& limits,
@@ -89,12 +108,12 @@ std::optional<Refusal> parse_request_line(std::string_view line, const HttpLimit
         return Refusal{501, "method-not-implemented", "This method is not implemented."};
     }
     head.method = method;
-    head.target = origin_form(target);
+    head.target = target;
     head.minor_version = version.back() - '0';
-    if (head.target.front() != '/' && !(head.target == "*" && head.method == "OPTIONS")) {
-        return Refusal{400, "malformed-request", "The target does not begin with a slash."};
+    if (!read_absolute_form(target, head)) {
+        return Refusal{400, "malformed-request", "The target names no proper host."};
     }
-    return std::nullopt;
+    return check_target(head);
 }
 
 std::optional<Refusal> parse_field(std::string_view line, RequestHead& head) {
@@ -103,7 +122,7 @@ std::optional<Refusal> parse_field(std::string_view line, RequestHead& head) {
         return Refusal{400, "malformed-request", "A header field has no proper name."};
     }
     const std::string_view value = line.substr(colon + 1);
-    if (!std::all_of(value.begin(), value.end(), is_value_char)) {
+    if (!is_field_value(value)) {
         return Refusal{400, "malformed-request", "A header field holds a control character."};
     }
     head.fields.push_back({std::string(line.substr(0, colon)), std::string(trimmed(value))});
@@ -151,11 +170,23 @@ std::optional<Refusal> decide_framing(const HttpLimits& limits, RequestHead& hea
     return std::nullopt;
 }
 
-std::optional<Refusal> check_fields(const HttpLimits& limits, RequestHead& head) {
+/// The host of an absolute target counts and not the field, which must be there and good all the
+/// same.
+std::optional<Refusal> check_host(RequestHead& head) {
     const std::size_t hosts = count(head, "Host");
     if (hosts > 1 || (hosts == 0 && head.minor_version == 1)) {
         return Refusal{400, "malformed-request", "There must be one Host field."};
     }
+    const std::string* host = head.find("Host");
+    if (host == nullptr) return std::nullopt;
+    const auto authority = host->empty() ? Authority() : authority_from(*host);
+    if (!authority) return Refusal{400, "malformed-request", "Host is no host with a port."};
+    if (!head.authority) head.authority = authority;
+    return std::nullopt;
+}
+
+std::optional<Refusal> check_fields(const HttpLimits& limits, RequestHead& head) {
+    if (const auto refusal = check_host(head)) return refusal;
     const std::string* connection = head.find("Connection");
     head.keep_alive =
         head.minor_version == 1 && !(connection != nullptr && lists(*connection, "close"));
@@ -172,11 +203,6 @@ std::optional<Refusal> check_fields(const HttpLimits& limits, RequestHead& head)
 }
 
 }  // namespace
-
-bool equal_ignoring_case(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char x, char y) { return lower(x) == lower(y); });
-}
 
 const std::string* RequestHead::find(std::string_view name) const {
     for (const HeaderField& field : fields) {

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "renderer/core/result.h"
+#include "server/http/authority.h"
+#include "server/http/field_syntax.h"
 #include "server/http/http_options.h"
 
 namespace bouguer::server {
@@ -27,7 +29,10 @@ struct HeaderField {
 
 struct RequestHead {
     std::string method;
-    std::string target;     ///< origin form: path and query, percent-encoded
+    std::string target;  ///< origin form: path and query, percent-encoded
+    /// Whom the request is for: of an absolute target or else of Host [RFC 9112 §3.2.2, §3.3]. The
+    /// host is empty when Host is; nothing is there in HTTP/1.0 without one.
+    std::optional<Authority> authority;
     int minor_version = 1;  ///< HTTP/1.x
     std::vector<HeaderField> fields;
     std::uint64_t content_length = 0;  ///< 0 as well when there is no such field
@@ -46,9 +51,6 @@ struct RequestHead {
         return is_upload() ? limits.asset_bytes : limits.body_bytes;
     }
 };
-
-/// Whether two ASCII strings differ only in case.
-[[nodiscard]] bool equal_ignoring_case(std::string_view a, std::string_view b);
 
 /// `text`: the request line and the fields, each with its CRLF, without the empty line.
 [[nodiscard]] tl::expected<RequestHead, Refusal> parse_head(std::string_view text,

@@ -170,8 +170,8 @@ bool Router::before_routing(const httplib::Request& request, httplib::Response& 
         return true;
     }
     if (!changes_something(request.method)) return false;
-    if (!origin.empty() && !is_same_origin(origin, request.get_header_value("Host")) &&
-        !is_listed_origin(cors_origins_, origin)) {
+    if (!origin.empty() && !is_same_origin(origin, current_exchange->head.authority) &&
+        !may_change(cors_origins_, origin)) {
         send_problem(response, kForeignOrigin, id);
         return true;
     }
@@ -218,14 +218,18 @@ void Router::finish(const httplib::Request& request, httplib::Response& response
     if (cors_origins_.empty()) return;
     response.headers.emplace("Vary", "Origin");
     const std::string origin = request.get_header_value("Origin");
-    if (origin.empty() || !is_listed_origin(cors_origins_, origin)) return;
+    if (origin.empty() || !may_read(cors_origins_, origin)) return;
     replace_header(response, "Access-Control-Allow-Origin", origin);
     replace_header(response, "Access-Control-Expose-Headers",
-                   "Location, Retry-After, ETag, Link, X-Request-Id, Idempotent-Replayed");
+                   "Accept-Ranges, Content-Range, ETag, Idempotent-Replayed, Link, Location, "
+                   "Preference-Applied, Retry-After, X-Request-Id");
     if (request.method != "OPTIONS") return;
-    replace_header(response, "Access-Control-Allow-Methods", "GET, HEAD, POST, PUT, DELETE");
+    replace_header(
+        response, "Access-Control-Allow-Methods",
+        may_change(cors_origins_, origin) ? "GET, HEAD, POST, PUT, DELETE" : "GET, HEAD");
     replace_header(response, "Access-Control-Allow-Headers",
-                   "Content-Type, Idempotency-Key, If-None-Match, Prefer, X-Request-Id");
+                   "Content-Type, Idempotency-Key, If-Match, If-None-Match, If-Range, "
+                   "Last-Event-ID, Prefer, Range, X-Request-Id");
     replace_header(response, "Access-Control-Max-Age", "600");
 }
 

@@ -28,10 +28,16 @@ TEST(CommandLine, ServeListensToThisMachineOnlyByDefault) {
 }
 
 TEST(CommandLine, ReadsServe) {
-    const auto serve =
-        options<ServeOptions>({"serve", "--listen", "0.0.0.0:0", "--allow-remote", "--data", "d",
-                               "--assets", "a", "--threads", "3", "--queue", "7", "--cors-origin",
-                               "https://a.example", "--drain-delay", "15"});
+    const auto serve = options<ServeOptions>({"serve",          "--listen",
+                                              "0.0.0.0:0",      "--allow-remote",
+                                              "--data",         "d",
+                                              "--assets",       "a",
+                                              "--threads",      "3",
+                                              "--queue",        "7",
+                                              "--cors-origin",  "https://a.example",
+                                              "--drain-delay",  "15",
+                                              "--allowed-host", "render.example",
+                                              "--allowed-host", "[::1]:80"});
     EXPECT_EQ(serve.listen, "0.0.0.0:0");
     EXPECT_TRUE(serve.allow_remote);
     EXPECT_EQ(serve.data, "d");
@@ -40,6 +46,7 @@ TEST(CommandLine, ReadsServe) {
     EXPECT_EQ(serve.queue, 7U);
     EXPECT_EQ(serve.cors_origins, std::vector<std::string>{"https://a.example"});
     EXPECT_EQ(serve.drain_delay_s, 15);
+    EXPECT_EQ(serve.allowed_hosts, (std::vector<std::string>{"render.example", "[::1]:80"}));
 }
 
 TEST(CommandLine, ReadsRender) {
@@ -117,6 +124,8 @@ TEST(CommandLine, BadUsageIsExitCode2) {
         {"render", "s.json", "-o", "a.png", "--seconds", "nan"},
         {"render", "s.json", "-o", "a.png", "--wavelength-step", "0"},
         {"serve", "--threads", "-1"},
+        {"serve", "--allowed-host", "http://a.example"},
+        {"serve", "--allowed-host", "*"},
         {"validate"},
         {"compare", "a.exr"},
         {"compare", "a.exr", "b.exr", "--gamut", "clip"},

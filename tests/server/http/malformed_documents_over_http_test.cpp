@@ -40,6 +40,7 @@ TEST(MalformedDocumentsOverHttp, AreRefusedAndEndNothing) {
     MemoryAssetStore uploads;
     HttpOptions options;
     options.port = 0;
+    options.allowed_hosts = {{"localhost", std::nullopt}};
     const auto server = HttpServer::start(manager, uploads, options, {});
     ASSERT_TRUE(server) << server.error().message;
     const auto ask = [&](const std::string& method, const std::string& path,

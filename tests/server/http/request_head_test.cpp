@@ -34,6 +34,24 @@ TEST(RequestHead, ReadsLineAndFields) {
 TEST(RequestHead, AbsoluteTargetsAreMadeOrigin) {
     EXPECT_EQ(parse_head("GET http://h:1/x?y HTTP/1.1\r\nHost: h\r\n", kLimits)->target, "/x?y");
     EXPECT_EQ(parse_head("GET http://h HTTP/1.1\r\nHost: h\r\n", kLimits)->target, "/");
+    EXPECT_EQ(parse_head("GET http://h?a HTTP/1.1\r\nHost: h\r\n", kLimits)->target, "/?a");
+    // schemes are the same in any case [RFC 3986 §3.1]
+    EXPECT_EQ(parse_head("GET HTTP://h/x HTTP/1.1\r\nHost: h\r\n", kLimits)->target, "/x");
+    EXPECT_EQ(parse_head("GET httpS://h/x HTTP/1.1\r\nHost: h\r\n", kLimits)->target, "/x");
+}
+
+TEST(RequestHead, KnowsWhomItIsFor) {
+    const auto of = [](const std::string& text) { return parse_head(text, kLimits)->authority; };
+    EXPECT_EQ(of("GET / HTTP/1.1\r\nHost: H:81\r\n"), (Authority{"h", 81}));
+    EXPECT_EQ(of("GET http://t:82/ HTTP/1.1\r\nHost: h:81\r\n"), (Authority{"t", 82}));
+    EXPECT_EQ(of("GET / HTTP/1.1\r\nHost:\r\n"), Authority());
+    EXPECT_EQ(of("GET / HTTP/1.0\r\nHost: h\r\n"), (Authority{"h", std::nullopt}));
+    EXPECT_EQ(of("GET / HTTP/1.0\r\n"), std::nullopt);
+}
+
+TEST(RequestHead, LettersMayBeEncoded) {
+    EXPECT_EQ(refused("GET /v1/%6aobs?a=%2f%00 HTTP/1.1\r\nHost: h\r\n"), 0);
+    EXPECT_EQ(refused("GET /a%252fb HTTP/1.1\r\nHost: h\r\n"), 0) << "that is %2f, not a slash";
 }
 
 TEST(RequestHead, KnowsWhenTheConnectionEnds) {
@@ -72,6 +90,23 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"GET / HTTP/1.1\r\nHost: h\r\n: v\r\n", 400},         // no name
         Refused{"GET / HTTP/1.1\r\nHost: h\r\nA: b\nB: c\r\n", 400},  // bare LF
         Refused{"GET / HTTP/1.1\r\nHost: h\r\nA: b\rc\r\n", 400},     // bare CR
+        Refused{"GET /v1%2fjobs HTTP/1.1\r\nHost: h\r\n", 404},       // not the slash that it hides
+        Refused{"GET /v1%2Fjobs HTTP/1.1\r\nHost: h\r\n", 404},       //
+        Refused{"GET /v1%5cjobs HTTP/1.1\r\nHost: h\r\n", 404},       // nor a backslash
+        Refused{"GET /v1/%00 HTTP/1.1\r\nHost: h\r\n", 404},          // nor a control character
+        Refused{"GET /v1/jobs%0a HTTP/1.1\r\nHost: h\r\n", 404},      //
+        Refused{"GET /v1%u002fjobs HTTP/1.1\r\nHost: h\r\n", 400},    // no such encoding
+        Refused{"GET /a%2 HTTP/1.1\r\nHost: h\r\n", 400},             //
+        Refused{"GET /a%2?b HTTP/1.1\r\nHost: h\r\n", 400},           //
+        Refused{"GET /a?b=%zz HTTP/1.1\r\nHost: h\r\n", 400},         //
+        Refused{"GET /a#b HTTP/1.1\r\nHost: h\r\n", 400},             // a fragment
+        Refused{"GET http:///a HTTP/1.1\r\nHost: h\r\n", 400},        // no host
+        Refused{"GET http://u@h/a HTTP/1.1\r\nHost: h\r\n", 400},     // a user
+        Refused{"GET ftp://h/a HTTP/1.1\r\nHost: h\r\n", 400},        //
+        Refused{"GET / HTTP/1.1\r\nHost: h/x\r\n", 400},              // no host
+        Refused{"GET / HTTP/1.1\r\nHost: h, h\r\n", 400},             //
+        Refused{"GET / HTTP/1.1\r\nHost: h:x\r\n", 400},              //
+        Refused{"GET http://h/ HTTP/1.1\r\nHost: @\r\n", 400},        // even if it does not count
         Refused{"PRI * HTTP/2.0\r\n", 505},                           // HTTP/2's preface
         Refused{"BREW / HTTP/1.1\r\nHost: h\r\n", 501},               // unknown method
         Refused{"TRACE / HTTP/1.1\r\nHost: h\r\n", 501},              //

@@ -62,6 +62,44 @@ TEST_F(RouterTest, PagesElsewhereChangeNothing) {
     EXPECT_EQ(ask("POST", path_of(id, "/cancel"), {"Origin: https://a.example"}).status, 200);
 }
 
+TEST_F(RouterTest, AStarLetsEveryPageReadAndNoneChange) {
+    start_with_origins({"*"});
+    const JobId id = jobs.add();
+    const std::string page = "Origin: https://any.example";
+    EXPECT_EQ(ask("GET", path_of(id), {page}).header("access-control-allow-origin"),
+              "https://any.example");
+    EXPECT_TRUE(is_problem(ask("DELETE", path_of(id), {page}), 403, "origin-not-allowed"));
+    EXPECT_EQ(ask("OPTIONS", path_of(id), {page}).header("access-control-allow-methods"),
+              "GET, HEAD");
+    EXPECT_TRUE(jobs.find(id));
+}
+
+TEST_F(RouterTest, ListedPagesMaySendAndReadWhatTheServiceKnows) {
+    start_with_origins({"https://a.example"});
+    const auto preflight = ask("OPTIONS", "/v1/jobs", {"Origin: https://a.example"});
+    for (const char* name : {"Content-Type", "Idempotency-Key", "If-Match", "If-None-Match",
+                             "If-Range", "Last-Event-ID", "Prefer", "Range", "X-Request-Id"}) {
+        EXPECT_NE(preflight.header("access-control-allow-headers").find(name), std::string::npos)
+            << name;
+    }
+    const auto get = ask("GET", "/v1/jobs", {"Origin: https://a.example"});
+    for (const char* name : {"Accept-Ranges", "Content-Range", "Preference-Applied"}) {
+        EXPECT_NE(get.header("access-control-expose-headers").find(name), std::string::npos)
+            << name;
+    }
+}
+
+TEST_F(RouterTest, EncodedSlashesAreNoSlashes) {
+    start();
+    EXPECT_TRUE(is_problem(ask("GET", "/v1%u002fjobs"), 400, "malformed-request"));
+    for (const char* target :
+         {"/v1%2fjobs", "/v1%2Fjobs", "/v1%5cjobs", "/v1%252fjobs", "/v1/x/../jobs", "/v1/%2e/jobs",
+          "//v1/jobs", "/v1/jobs%3flimit=1", "/v1/library/spectra/.."}) {
+        EXPECT_TRUE(is_problem(ask("GET", target), 404, "not-found")) << target;
+    }
+    EXPECT_EQ(ask("GET", "/v1/%6a%6Fbs").status, 200) << "an encoded letter is the letter";
+}
+
 TEST_F(RouterTest, ValidationNeedsNoJob) {
     start();
     EXPECT_EQ(ask("POST", "/v1/scenes/validate", {}, "{}").status, 200);

@@ -16,9 +16,12 @@ namespace bouguer::server::testing {
 
 class ServerTest : public ::testing::Test {
   protected:
-    /// Starts the server; once a test.
+    /// Starts the server; once a test. It goes by "localhost" and "h" unless the test names hosts.
     void start(HttpOptions options = {}) {
         options.port = 0;
+        if (options.allowed_hosts.empty()) {
+            options.allowed_hosts = {{"localhost", std::nullopt}, {"h", std::nullopt}};
+        }
         auto server = HttpServer::start(jobs, assets, options, [this](const AccessRecord& record) {
             const std::lock_guard lock(log_mutex_);
             log_.push_back(record);
@@ -27,6 +30,7 @@ class ServerTest : public ::testing::Test {
         server_ = std::move(*server);
     }
     HttpServer& server() { return *server_; }
+    [[nodiscard]] const HttpServer& server() const { return *server_; }
     void destroy_server() { server_.reset(); }
     [[nodiscard]] RawClient connect() const { return RawClient(server_->port()); }
     /// One request on a connection of its own.
