@@ -128,10 +128,11 @@ TEST(OpenApi, GivesTheLimits) {
 }
 
 TEST(OpenApi, NamesTheDisplays) {
-    const Json schema = Json::parse(openapi_json())["components"]["schemas"]["Output"];
+    const Json components = Json::parse(openapi_json())["components"];
     std::vector<std::string> names;
     for (const renderer::Display& display : renderer::displays()) names.push_back(display.name);
-    EXPECT_EQ(schema["properties"]["display"]["enum"], Json(names));
+    EXPECT_EQ(components["schemas"]["Output"]["properties"]["display"]["enum"], Json(names));
+    EXPECT_EQ(components["parameters"]["Display"]["schema"]["enum"], Json(names));
 }
 
 }  // namespace
