@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # submit.sh and submit.py live through a kill -9 of the daemon and some seconds without it: before they submit, when the
-# answer to the submission is lost, during the render, and in the middle of a download. They end well, with the pictures of
-# an undisturbed run, and one submission stays one job.
+# answer to the submission or to an upload is lost, during the render, and in the middle of a download. They end well, with
+# the pictures of an undisturbed run, and one submission stays one job.
 #
 #   tests/service/clients_survive.sh BOUGUER [SECONDS [CLIENTS]]     3 s by default; 30 for the long form; CLIENTS: a folder
 # shellcheck source=tests/service/daemon.sh
@@ -70,7 +70,7 @@ wait_until() {
     done
 }
 some_job_runs() { curl -sf "$url/v1/jobs?state=running" | grep -q '"id"'; }
-both_are_cut() { [ "$(wc -l <"$work/proxy.cuts")" -eq 2 ]; }
+answers_are_cut() { [ "$(wc -l <"$work/proxy.cuts")" -eq "$1" ]; }
 number_of_jobs() { curl -sf "$url/v1/jobs?limit=100" | grep -o '"state":' | wc -l; }
 
 start_daemon
@@ -89,7 +89,7 @@ expect_pictures "during the render"
 before=$(number_of_jobs)
 start_proxy 'POST /v1/jobs ' 0
 start_clients "$proxy_url"
-wait_until both_are_cut
+wait_until answers_are_cut 2
 end_daemon KILL
 touch "$work/proxy.cuts.over"
 come_back
@@ -100,11 +100,29 @@ end_proxy
 
 start_proxy 'GET /v1/jobs/[^/]*/image.exr ' 5000
 start_clients "$proxy_url"
-wait_until both_are_cut
+wait_until answers_are_cut 2
 end_daemon KILL
 touch "$work/proxy.cuts.over"
 come_back
 expect_pictures "in the middle of a download"
+end_proxy
+
+# Only submit.py uploads.
+printf 'ply\nformat ascii 1.0\nelement vertex 3\n%s\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n%s\n' \
+    $'property float x\nproperty float y\nproperty float z' $'-1 0 0\n1 0 0\n0 2 0\n3 0 1 2' >"$work/triangle.ply"
+sed 's|"shape":{"type":"sphere"[^}]*}|"shape":{"type":"file","path":"triangle.ply"}|' "$work/job.json" >"$work/upload.json"
+grep -q triangle.ply "$work/upload.json"
+start_proxy 'PUT /v1/assets/' 0
+"$clients/submit.py" --url "$proxy_url" --out "$work/python" "$work/upload.json" >"$work/python.log" 2>&1 &
+python=$!
+wait_until answers_are_cut 1
+end_daemon KILL
+touch "$work/proxy.cuts.over"
+come_back
+wait "$python" || fail "submit.py did not upload again: $(tail -n 5 "$work/python.log")"
+echo "python: well after an outage after which the upload was not answered"
+"$clients/submit.py" --url "$url" --out "$work/undisturbed" "$work/upload.json" >/dev/null
+cmp "$work/undisturbed.exr" "$work/python.exr"
 end_proxy
 
 end_daemon TERM

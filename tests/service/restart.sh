@@ -34,5 +34,7 @@ end_daemon TERM
 start_daemon
 [ "$(state_of "$endless")" = cancelled ] || fail "a cancelled job must stay cancelled"
 [ "$(state_of "$short")" = "done" ] || fail "a finished job must stay done"
+told=$(curl -s -o /dev/null -w '%{http_code}' -H 'Last-Event-ID: done' "$url/v1/jobs/$short/events")
+[ "$told" = 204 ] || fail "a client that was told the end by the former process got $told, not 204"
 curl -sf "$url/v1/jobs/$short/image.png" | head -c 4 | grep -q PNG || fail "its picture must stay"
 end_daemon TERM
