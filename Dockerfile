@@ -9,8 +9,9 @@ COPY CMakeLists.txt CMakePresets.json LICENSE /src/
 COPY renderer /src/renderer
 COPY api /src/api
 COPY server /src/server
-# The page that the daemon serves offers this scene.
+# The page that the daemon serves offers this scene, and shares this script with the page of client-examples.
 COPY client-examples/scenes/lee/figure-4d.json /src/client-examples/scenes/lee/
+COPY client-examples/web/daemon.js /src/client-examples/web/
 WORKDIR /src
 RUN cmake --preset release -DBOUGUER_BUILD_TESTS=OFF && cmake --build --preset release --target bouguer && \
     install -D --strip build/release/server/bouguer /out/bouguer

@@ -20,7 +20,7 @@ class Backoff {
   /** Rejects when it is over; `askedS`: how long the daemon asks to be left alone. */
   async wait(reason, askedS = 0) {
     const ms = Math.max(this.#pauseMs, 1000 * askedS);
-    if (performance.now() + ms > this.#end) throw { title: `There was no answer within ${patienceMs / 1000} s.`, detail: reason };
+    if (performance.now() + ms > this.#end) throw { title: "There was no answer.", detail: `${reason}. It was asked for ${patienceMs / 1000} s.` };
     await pause(ms);
     this.#pauseMs = Math.min(2 * this.#pauseMs, longestPauseMs);
   }
