@@ -27,9 +27,19 @@ constexpr std::array kKinds{
     KindEntry{ErrorKind::Internal, 500, "internal-error", "Something failed on our side"},
 };
 
-const KindEntry& entry_of(ErrorKind kind) {
+/// Errors whose code says more than their kind: a fault of the storage is over some time, and what
+/// was asked can be asked again.
+constexpr std::array kCodes{
+    KindEntry{ErrorKind::Internal, 507, "storage-full", "There is no space on the disk now"},
+    KindEntry{ErrorKind::Internal, 503, "storage-failed", "The storage does not work now"},
+};
+
+const KindEntry& entry_of(const Error& error) {
+    for (const KindEntry& entry : kCodes) {
+        if (entry.code == error.code) return entry;
+    }
     for (const KindEntry& entry : kKinds) {
-        if (entry.kind == kind) return entry;
+        if (entry.kind == error.kind) return entry;
     }
     return kKinds.back();
 }
@@ -61,15 +71,15 @@ std::string finish(OrderedJson json, std::string_view request_id) {
 
 }  // namespace
 
-int status_of(const Error& error) { return entry_of(error.kind).status; }
+int status_of(const Error& error) { return entry_of(error).status; }
 
 std::string code_of(const Error& error) {
-    return error.code.empty() ? std::string(entry_of(error.kind).code) : error.code;
+    return error.code.empty() ? std::string(entry_of(error).code) : error.code;
 }
 
 std::string problem_json(const Error& error, std::string_view request_id) {
     OrderedJson json =
-        problem_object(status_of(error), code_of(error), entry_of(error.kind).title, error.message);
+        problem_object(status_of(error), code_of(error), entry_of(error).title, error.message);
     if (!error.problems.empty()) {
         json["errors"] = OrderedJson::array();
         for (const Problem& problem : error.problems) {

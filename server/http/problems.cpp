@@ -22,8 +22,9 @@ void send(httplib::Response& response, int status, std::string body) {
 
 void send_problem(httplib::Response& response, const Error& error, std::string_view request_id,
                   int retry_after_s) {
-    send(response, api::status_of(error), api::problem_json(error, request_id));
-    if (error.kind == ErrorKind::Busy) {
+    const int status = api::status_of(error);
+    send(response, status, api::problem_json(error, request_id));
+    if (status == 503 || status == 507) {
         response.set_header("Retry-After", std::to_string(retry_after_s));
     }
 }

@@ -16,7 +16,7 @@ namespace bouguer::server {
 inline constexpr int kShortRetry_s = 5;
 
 /// An Error of the service or the documents; the status follows from its kind. `retry_after_s` is
-/// told to those who find the service busy.
+/// told to those who find the service busy or its storage at fault.
 void send_problem(httplib::Response& response, const Error& error, std::string_view request_id,
                   int retry_after_s = kShortRetry_s);
 /// What HTTP itself refuses.

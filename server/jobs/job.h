@@ -63,12 +63,14 @@ struct Job {
     int priority = 0;
     std::int64_t created_ms = 0, started_ms = 0, ended_ms = 0;  ///< Unix time; 0: not yet
     std::uint64_t revision = 1;                                 ///< grows with every stored change
+    std::uint32_t attempts = 0;      ///< times it began, without those that an orderly stop ended
     std::uint64_t memory_bytes = 0;  ///< that rendering it is expected to take
     std::string name;                ///< the scene's
     std::map<std::string, std::string> labels;
     std::string scene_digest, digest;  ///< "sha256-<hex>"
     std::string request;               ///< canonical job document
     std::string failure;               ///< why it failed, fit for a client
+    std::string failure_code;          ///< the same as a stable name, e.g. "crashed-the-server"
     JobProgress progress;              ///< of a job that has ended: how far it came
     bool operator==(const Job&) const = default;
 };

@@ -60,6 +60,7 @@ std::string job_json(const JobView& view) {
     json.set("id", job.id)
         .set("state", to_string(job.state))
         .set("revision", job.revision)
+        .set("attempts", job.attempts)
         .set("name", job.name)
         .set("priority", job.priority)
         .set_json("labels", labels_json(job.labels))
@@ -70,7 +71,10 @@ std::string job_json(const JobView& view) {
         .set("digest", job.digest)
         .set_json("progress", progress_json(view.progress))
         .set_json("images", names_json(view.images));
-    if (job.state == JobState::Failed) json.set("failure", job.failure);
+    if (job.state == JobState::Failed) {
+        json.set("failure", job.failure);
+        json.set("failure_code", job.failure_code.empty() ? "render-failed" : job.failure_code);
+    }
     return json.text();
 }
 

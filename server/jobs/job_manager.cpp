@@ -44,11 +44,48 @@ Result<void> check_memory(std::uint64_t needed, std::uint64_t limit) {
     return tl::unexpected(std::move(error));
 }
 
+/// Whether the same call may go well later: the storage is at fault and not what was asked.
+bool is_storage_fault(const Error& error) { return error.kind == ErrorKind::Internal; }
+
+/// The end of a job whose begins ended with the process.
+Transition gave_up(JobState from) {
+    return {from,
+            JobState::Failed,
+            unix_ms(),
+            "the server ended unexpectedly " + std::to_string(kMaxBegins) +
+                " times while it rendered this job, which is not begun again",
+            {},
+            "crashed-the-server"};
+}
+
 /// An error as one sentence for the record of a job: the message and the first problem.
 std::string sentence(const Error& error) {
     if (error.problems.empty()) return error.message;
     const Problem& first = error.problems.front();
     return error.message + " (" + first.pointer + ": " + first.detail + ")";
+}
+
+/// Reads the request of a job again; refuses one that is not what was accepted.
+Result<api::JobRequest> stored_request(const JobStore& jobs, const JobId& id,
+                                       const api::Limits& limits, const api::AssetSource& assets) {
+    const auto job = jobs.find(id);
+    if (!job) return tl::unexpected(job.error());
+    const auto text = jobs.request(id);
+    if (!text) return tl::unexpected(text.error());
+    auto request = api::parse_job(*text, limits, assets);
+    if (!request)
+        return fail(request.error().kind, sentence(request.error()), api::code_of(request.error()));
+    if (request->digest != job->digest || request->scene_digest != job->scene_digest ||
+        request->canonical != *text) {
+        return fail(ErrorKind::Internal,
+                    "the request of this job was changed or damaged in the store: it is not the "
+                    "one that was accepted",
+                    "store-damaged");
+    }
+    if (auto fits = check_memory(job_memory_bytes(*request), limits.memory_bytes); !fits) {
+        return fail(ErrorKind::InvalidInput, sentence(fits.error()), fits.error().code);
+    }
+    return request;
 }
 
 }  // namespace
@@ -60,7 +97,8 @@ JobManager::JobManager(JobStore& jobs, ResultStore& results, const api::AssetSou
       assets_(assets),
       options_(options),
       scenes_(options.scene_cache_bytes),
-      scheduler_(options.scheduler) {}
+      scheduler_(options.scheduler),
+      watch_([this] { return probe(); }, [this] { return catch_up(); }, options.storage_times) {}
 
 JobManager::~JobManager() { stop(); }
 
@@ -68,23 +106,43 @@ Result<void> JobManager::start() {
     auto unfinished = jobs_.unfinished();
     if (!unfinished) return tl::unexpected(unfinished.error());
     for (const Job& job : *unfinished) {
-        if (job.state == JobState::Running) {
-            const auto queued = change(job.id, {JobState::Running, JobState::Queued, unix_ms()});
-            if (!queued) return tl::unexpected(queued.error());
+        if (auto resumed = resume(job.id); !resumed) {
+            report_fault(resumed.error());
+            remember(job.id, nullptr);
         }
-        take_up(job);
     }
     workers_ = std::make_unique<WorkerPool>(scheduler_, options_.threads);
+    watch_.start();
     is_accepting_ = true;
+    return {};
+}
+
+Result<void> JobManager::resume(const JobId& id) {
+    auto job = jobs_.find(id);
+    if (job && job->state == JobState::Running) {
+        job = change(id, job->attempts >= kMaxBegins
+                             ? gave_up(JobState::Running)
+                             : Transition{JobState::Running, JobState::Queued, unix_ms()});
+    }
+    if (!job && is_storage_fault(job.error())) return tl::unexpected(job.error());
+    if (job && job->state == JobState::Queued) {
+        take_up(*job);
+    } else {
+        forget(id);  // it has ended or is gone
+    }
     return {};
 }
 
 void JobManager::take_up(const Job& job) {
     auto task = make_task(job);
-    const std::lock_guard lock(live_mutex_);
-    live_[job.id] = task;
-    drain_rate_.begin(DrainRate::Clock::now());
+    remember(job.id, task);
     scheduler_.add_again(std::move(task));
+}
+
+void JobManager::remember(const JobId& id, std::shared_ptr<RenderTask> task) {
+    const std::lock_guard lock(live_mutex_);
+    const auto [entry, is_new] = live_.insert_or_assign(id, std::move(task));
+    if (is_new) drain_rate_.begin(DrainRate::Clock::now());
 }
 
 void JobManager::refuse_new() { is_accepting_ = false; }
@@ -94,28 +152,38 @@ void JobManager::stop() {
     if (workers_ == nullptr) return;
     {
         const std::lock_guard lock(live_mutex_);
-        for (const auto& [id, task] : live_) task->interrupt();
+        for (const auto& [id, task] : live_) {
+            if (task != nullptr) task->interrupt();
+        }
     }
     workers_->stop();
-    const std::lock_guard lock(live_mutex_);
-    for (const auto& [id, task] : live_) {
-        // Conflict: it had not begun.
-        (void)change(id, {JobState::Running, JobState::Queued, unix_ms()});
+    watch_.stop();
+    for (const JobId& id : unstored_.ids()) {
+        if (store_end(id, *unstored_.find(id))) forget(id);
+        unstored_.erase(id);
     }
+    const std::lock_guard lock(live_mutex_);
+    for (const auto& [id, task] : live_) hand_back(id);
     live_.clear();
+}
+
+void JobManager::hand_back(const JobId& id) {
+    Transition back{JobState::Running, JobState::Queued, unix_ms()};
+    back.takes_begin_back = true;
+    // Conflict: it had not begun. A fault of the storage: the next process finds it running.
+    (void)change(id, back);
 }
 
 std::shared_ptr<RenderTask> JobManager::make_task(const Job& job) {
     auto prepare = [this, id = job.id]() -> Result<PreparedRender> {
-        auto text = jobs_.request(id);
-        if (!text) return tl::unexpected(text.error());
-        auto request = api::parse_job(*text, options_.documents, assets_);
-        if (!request) return fail(ErrorKind::InvalidInput, sentence(request.error()));
+        auto request = stored_request(jobs_, id, options_.documents, assets_);
+        if (!request) return tl::unexpected(request.error());
         return prepare_render(*request, scenes_);
     };
     RenderListener& listener = *this;
+    const bool runs_alone = job.attempts + 1 >= kMaxBegins;
     return std::make_shared<RenderTask>(job.id, job.priority, job.memory_bytes, std::move(prepare),
-                                        listener);
+                                        listener, runs_alone);
 }
 
 Result<SubmitResult> JobManager::submit(const std::string& body,
@@ -127,6 +195,7 @@ Result<SubmitResult> JobManager::submit(const std::string& body,
     auto before = jobs_.find_key(key);
     if (!before) return tl::unexpected(before.error());
     if (*before) return SubmitResult{view_of(std::move((*before)->job)), true};
+    if (auto fault = watch_.error()) return tl::unexpected(std::move(*fault));
 
     auto request = api::parse_job(body, options_.documents, assets_);
     if (!request) return tl::unexpected(request.error());
@@ -147,6 +216,7 @@ Result<Job> JobManager::admit(const Job& job, const IdempotencyKey& key, bool& r
         return fail(ErrorKind::Busy, "the queue is full; try again later", "queue-full");
     }
     auto stored = jobs_.insert(job, key);
+    if (!stored && is_storage_fault(stored.error())) report_fault(stored.error());
     if (!stored) return tl::unexpected(stored.error());
     replayed = stored->replayed;
     if (replayed) return std::move(stored->job);
@@ -175,9 +245,10 @@ bool JobManager::begin(const JobId& id) noexcept {
             events_.publish(id, "snapshot", job_json(view_of(std::move(*job))));
             return true;
         }
-        if (job.error().kind == ErrorKind::Internal) {
-            log_event(LogLevel::Error, "job-store",
-                      {{"job_id", id}, {"error", job.error().message}});
+        if (is_storage_fault(job.error())) {
+            remember(id, nullptr);
+            report_fault(job.error());
+            return false;
         }
     } catch (const std::exception& e) {
         log_event(LogLevel::Error, "job-begin", {{"job_id", id}, {"error", e.what()}});
@@ -204,34 +275,75 @@ void JobManager::preview(const JobId& id, const JobProgress& progress) noexcept 
 
 void JobManager::end(const JobId& id, RenderOutcome outcome) noexcept {
     try {
-        store_end(id, outcome);
+        store_or_keep(id, std::move(outcome));
     } catch (const std::exception& e) {
         log_event(LogLevel::Error, "job-end", {{"job_id", id}, {"error", e.what()}});
+        forget(id);
     }
-    forget(id);
 }
 
-void JobManager::store_end(const JobId& id, RenderOutcome& outcome) {
+void JobManager::store_or_keep(const JobId& id, RenderOutcome outcome) {
+    if (auto stored = store_end(id, outcome); !stored) {
+        unstored_.add(id, std::move(outcome));
+        report_fault(stored.error());
+    } else {
+        forget(id);
+    }
+}
+
+Result<void> JobManager::store_end(const JobId& id, const RenderOutcome& outcome) {
     if (!outcome.files.empty()) {
-        if (auto stored = results_.put(id, outcome.files); !stored) {
-            outcome.state = JobState::Failed;
-            outcome.failure = stored.error().message;
-        }
+        if (auto stored = results_.put(id, outcome.files); !stored) return stored;
     }
     // A cancelled job was marked when the wish came; that it is cancelled or removed by now is no
     // error.
     if (outcome.state != JobState::Cancelled) {
-        auto job = change(
-            id, {JobState::Running, outcome.state, unix_ms(), outcome.failure, outcome.progress});
+        auto job = change(id, {JobState::Running, outcome.state, unix_ms(), outcome.failure,
+                               outcome.progress, outcome.failure_code});
         if (job) {
             events_.publish(id, "done", job_json(view_of(std::move(*job))));
-        } else if (job.error().kind == ErrorKind::Internal) {
-            log_event(LogLevel::Error, "job-store",
-                      {{"job_id", id}, {"error", job.error().message}});
+        } else if (is_storage_fault(job.error())) {
+            return tl::unexpected(job.error());
         }
     }
     const auto kept = jobs_.find(id);
     if (!kept && kept.error().kind == ErrorKind::NotFound) (void)results_.remove(id);
+    return {};
+}
+
+void JobManager::report_fault(const Error& error) {
+    scheduler_.hold(true);
+    watch_.report(error);
+}
+
+Result<void> JobManager::probe() {
+    if (options_.check_storage) {
+        if (auto checked = options_.check_storage(); !checked) return checked;
+    }
+    return jobs_.probe();
+}
+
+Result<void> JobManager::catch_up() {
+    for (const JobId& id : unstored_.ids()) {
+        if (auto stored = store_end(id, *unstored_.find(id)); !stored) return stored;
+        unstored_.erase(id);
+        forget(id);
+    }
+    for (const JobId& id : without_task()) {
+        if (auto resumed = resume(id); !resumed) return resumed;
+    }
+    scheduler_.hold(false);
+    workers_->wake();
+    return {};
+}
+
+std::vector<JobId> JobManager::without_task() const {
+    const std::lock_guard lock(live_mutex_);
+    std::vector<JobId> ids;
+    for (const auto& [id, task] : live_) {
+        if (task == nullptr) ids.push_back(id);
+    }
+    return ids;
 }
 
 std::shared_ptr<RenderTask> JobManager::live(const JobId& id) const {
@@ -260,6 +372,11 @@ JobView JobManager::view_of(Job job, const std::shared_ptr<RenderTask>& task) co
         view.progress = view.job.progress;
         for (std::string& name : results_.names(view.job.id).value_or(std::vector<std::string>{})) {
             if (is_image(name)) view.images.push_back(std::move(name));
+        }
+    } else if (const auto ended = unstored_.find(view.job.id)) {
+        view.progress = ended->progress;
+        for (const auto& [name, bytes] : ended->files) {
+            if (is_image(name)) view.images.push_back(name);
         }
     } else if (task != nullptr) {
         view.progress = task->progress();
@@ -323,26 +440,35 @@ Result<ResultFile> JobManager::file(const JobId& id, const std::string& name) co
     auto job = jobs_.find(id);
     if (!job) return tl::unexpected(job.error());
     if (media_type.empty()) return fail(ErrorKind::NotFound, "no such result");
-    if (task == nullptr && !is_final(job->state)) {
-        return fail(ErrorKind::Conflict, "there is nothing of this job yet", "job-not-finished");
-    }
     if (is_final(job->state)) {
-        auto stored = stored_file(id, name, media_type);
+        auto stored = stored_file(*job, name, media_type);
         // Cancelled a moment ago: the newest pass is on its way to the store.
         if (stored || task == nullptr || stored.error().code != "no-result") return stored;
     }
+    if (const auto ended = unstored_.find(id)) {
+        const auto file = ended->files.find(name);
+        if (file != ended->files.end()) {
+            return ResultFile{file->second, media_type, api::sha256_hex(file->second), false};
+        }
+    }
+    if (task == nullptr) {
+        return fail(ErrorKind::Conflict, "there is nothing of this job yet", "job-not-finished");
+    }
     auto shown = task->file(name);
     if (shown || !task->ended()) return shown;
-    return stored_file(id, name, media_type);  // where all of an ended task is
+    return stored_file(*job, name, media_type);  // where all of an ended task is
 }
 
-Result<ResultFile> JobManager::stored_file(const JobId& id, const std::string& name,
+Result<ResultFile> JobManager::stored_file(const Job& job, const std::string& name,
                                            const std::string& media_type) const {
-    auto stored = results_.get(id, name);
+    auto stored = results_.get(job.id, name);
     if (stored) {
         return ResultFile{std::move(stored->content), media_type, std::move(stored->digest), true};
     }
     if (stored.error().kind != ErrorKind::NotFound) return tl::unexpected(stored.error());
+    if (job.state == JobState::Done) {
+        return fail(ErrorKind::Internal, "the stored " + name + " is gone", "result-damaged");
+    }
     return fail(ErrorKind::NotFound, "the job ended without this result", "no-result");
 }
 
@@ -378,7 +504,11 @@ Result<std::string> JobManager::validate(const std::string& body) const {
         .text();
 }
 
-bool JobManager::ready() const { return is_accepting_ && jobs_.healthy(); }
+Readiness JobManager::readiness() const {
+    if (!is_accepting_) return {false, "draining"};
+    if (const auto fault = watch_.error()) return {false, fault->code};
+    return {};
+}
 
 std::size_t JobManager::queue_length() const { return scheduler_.num_waiting(); }
 

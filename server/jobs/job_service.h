@@ -53,6 +53,12 @@ class Subscription {
     virtual ~Subscription() = default;
 };
 
+/// Whether jobs are taken.
+struct Readiness {
+    bool ready = true;
+    std::string reason{};  ///< why not: "draining", "storage-full", "storage-failed" ...
+};
+
 struct SubmitResult {
     JobView view;
     bool replayed = false;  ///< the Idempotency-Key was seen before: nothing new was made
@@ -91,7 +97,8 @@ class JobService {
     /// Problems and plan of a scene or job document; nothing is rendered. JSON text.
     [[nodiscard]] virtual Result<std::string> validate(const std::string& body) const = 0;
 
-    [[nodiscard]] virtual bool ready() const = 0;  ///< accepting jobs: storage works, not draining
+    /// Does not wait for a disk.
+    [[nodiscard]] virtual Readiness readiness() const = 0;
     [[nodiscard]] virtual std::size_t queue_length() const = 0;
     /// When it is worth asking again for a place in the queue, or for a job that was just accepted:
     /// until then what waits and runs now should have ended. Seconds, in [1, 600]; measured.

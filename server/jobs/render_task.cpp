@@ -48,12 +48,13 @@ class RenderTask::StepGuard {
 };
 
 RenderTask::RenderTask(JobId id, int priority, std::uint64_t memory_bytes, Prepare prepare,
-                       RenderListener& listener)
+                       RenderListener& listener, bool runs_alone)
     : id_(std::move(id)),
       priority_(priority),
       memory_bytes_(memory_bytes),
       prepare_(std::move(prepare)),
-      listener_(listener) {}
+      listener_(listener),
+      runs_alone_(runs_alone) {}
 
 bool RenderTask::is_over_locked() const {
     return is_cancelled_ || is_complete_ || !failure_.empty();
@@ -137,6 +138,7 @@ void RenderTask::prepare() {
     if (prepared) return begin_rendering(std::move(*prepared));
     const std::lock_guard lock(mutex_);
     failure_ = prepared.error().message;
+    failure_code_ = prepared.error().code;
 }
 
 void RenderTask::begin_rendering(PreparedRender prepared) {
@@ -262,6 +264,7 @@ RenderOutcome RenderTask::outcome_of_render() {
         result.progress.seconds_left.reset();
         result.failure = failure_;
         is_complete = is_complete_;
+        result.failure_code = failure_code_;
     }
     if (!result.failure.empty()) return result;
     // Cancelled, but all that was asked for had been done by then: done.

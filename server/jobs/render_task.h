@@ -33,7 +33,8 @@ struct RenderOutcome {
     JobState state = JobState::Failed;  ///< Done, Failed or Cancelled
     std::string failure;                ///< of a failed one: why, fit for a client
     JobProgress progress;
-    ResultFiles files;  ///< of a cancelled one: of its newest pass, or none
+    ResultFiles files;           ///< of a cancelled one: of its newest pass, or none
+    std::string failure_code{};  ///< `failure` as a stable name; may be empty
 };
 
 /// Is told what happens to a task: by a worker, without a lock held, one call at a time for `begin`
@@ -60,11 +61,12 @@ class RenderTask final : public Task {
 
     /// `listener` outlives the task.
     RenderTask(JobId id, int priority, std::uint64_t memory_bytes, Prepare prepare,
-               RenderListener& listener);
+               RenderListener& listener, bool runs_alone = false);
 
     [[nodiscard]] const JobId& id() const override { return id_; }
     [[nodiscard]] int priority() const override { return priority_; }
     [[nodiscard]] std::uint64_t memory_bytes() const override { return memory_bytes_; }
+    [[nodiscard]] bool runs_alone() const override { return runs_alone_; }
     [[nodiscard]] Urgency urgency() const override;
     [[nodiscard]] std::optional<Step> next_step() override;
     [[nodiscard]] bool ended() const override;
@@ -132,6 +134,7 @@ class RenderTask final : public Task {
     const std::uint64_t memory_bytes_;
     const Prepare prepare_;
     RenderListener& listener_;
+    const bool runs_alone_;
 
     std::atomic<bool> give_up_ = false;  ///< units under way end without a result
 
@@ -141,7 +144,7 @@ class RenderTask final : public Task {
     int units_under_way_ = 0;  ///< handed out and not merged
     bool is_cancelled_ = false;
     bool is_complete_ = false;  ///< the render has done all that was asked for
-    std::string failure_;
+    std::string failure_, failure_code_;
     JobProgress progress_;  ///< as it was when the phase Rendering was left; the error always
     std::shared_ptr<const Shown> shown_;  ///< null before Rendering and once ended
     bool has_preview_ = false;

@@ -6,6 +6,7 @@
 namespace bouguer::server {
 
 bool Scheduler::QueueOrder::operator()(const Entry& a, const Entry& b) const {
+    if (a.task->runs_alone() != b.task->runs_alone()) return a.task->runs_alone();
     if (a.task->priority() != b.task->priority()) return a.task->priority() > b.task->priority();
     return a.sequence < b.sequence;
 }
@@ -46,6 +47,11 @@ bool Scheduler::full() const {
     return waiting_.size() + active_.size() >= limits_.tasks;
 }
 
+void Scheduler::hold(bool is_held) {
+    const std::lock_guard lock(mutex_);
+    is_held_ = is_held;
+}
+
 void Scheduler::let_go_of_ended() {
     std::erase_if(active_, [&](const Entry& entry) {
         if (!entry.task->ended()) return false;
@@ -55,7 +61,9 @@ void Scheduler::let_go_of_ended() {
 }
 
 bool Scheduler::fits(const Task& task) const {
+    if (is_held_) return false;
     if (active_.empty()) return true;
+    if (task.runs_alone() || active_.front().task->runs_alone()) return false;
     return active_.size() < limits_.active_tasks && memory_in_use_ <= limits_.memory_bytes &&
            task.memory_bytes() <= limits_.memory_bytes - memory_in_use_;
 }

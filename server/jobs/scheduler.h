@@ -23,10 +23,11 @@ struct SchedulerLimits {
 
 /// A bounded queue and a rule. A task waits until it is activated, which takes its share of the
 /// memory; the first in the queue is activated as soon as it fits, or when nothing else is active.
-/// Of all that could run, the next step is that of the most urgent (a first pass before all later
-/// ones, so that everybody sees something soon), then of the highest priority, then, for first
-/// passes, of the oldest, and for later ones of the task that has had the least time, so that
-/// equals share. A newcomer's time starts at that of the task that has had least. Thread-safe.
+/// Tasks that run alone stand before all others. Of all that could run, the next step is that of
+/// the most urgent (a first pass before all later ones, so that everybody sees something soon),
+/// then of the highest priority, then, for first passes, of the oldest, and for later ones of the
+/// task that has had the least time, so that equals share. A newcomer's time starts at that of the
+/// task that has had least. Thread-safe.
 class Scheduler {
   public:
     explicit Scheduler(SchedulerLimits limits = {}) : limits_(limits) {}
@@ -38,6 +39,8 @@ class Scheduler {
     /// Takes a task out of the queue if it has not been activated.
     void drop(const Task& task);
     [[nodiscard]] bool full() const;
+    /// Whether tasks of the queue are activated. What is active goes on either way.
+    void hold(bool is_held);
 
     struct Work {
         std::shared_ptr<Task> task;
@@ -74,6 +77,7 @@ class Scheduler {
     std::set<Entry, QueueOrder> waiting_;
     std::vector<Entry> active_;
     std::uint64_t memory_in_use_ = 0;  // of active_
+    bool is_held_ = false;
 };
 
 }  // namespace bouguer::server

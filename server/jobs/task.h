@@ -30,6 +30,9 @@ class Task {
     /// What it is expected to hold from its first step to its end.
     [[nodiscard]] virtual std::uint64_t memory_bytes() const = 0;
 
+    /// Whether nothing else may be active beside it.
+    [[nodiscard]] virtual bool runs_alone() const { return false; }
+
     [[nodiscard]] virtual Urgency urgency() const = 0;
     /// Takes a step; empty when there is none to hand out now. What is taken must be run.
     [[nodiscard]] virtual std::optional<Step> next_step() = 0;

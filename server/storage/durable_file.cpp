@@ -13,13 +13,20 @@
 namespace bouguer::server {
 namespace {
 
+/// The stable name of a failure of the disk.
+const char* storage_code(const std::error_code& code) {
+    const bool is_full = code == std::errc::no_space_on_device ||
+                         code == std::error_condition(EDQUOT, std::generic_category());
+    return is_full ? "storage-full" : "storage-failed";
+}
+
 /// The error of the last system call. Names the file only by its last part: a client may read it.
 tl::unexpected<Error> system_error(const char* what, const std::filesystem::path& file) {
     const std::error_code code(errno, std::generic_category());
     return fail(
         code == std::errc::no_such_file_or_directory ? ErrorKind::NotFound : ErrorKind::Internal,
         std::string("cannot ") + what + " " + file.filename().string() + ": " + code.message(),
-        "file-failed");
+        storage_code(code));
 }
 
 Result<void> write_all(int fd, std::string_view bytes, const std::filesystem::path& file) {

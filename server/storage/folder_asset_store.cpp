@@ -76,7 +76,7 @@ Result<AssetStore::Put> FolderAssetStore::write(const std::string& digest, std::
     if (auto written = write_new_file(part, bytes); !written) {
         fs::remove(part, error);
         // also when the folder is gone: what is not found is not the client's file
-        return fail(ErrorKind::Internal, written.error().message, "storage-failed");
+        return fail(ErrorKind::Internal, written.error().message, written.error().code);
     }
     // A link, unlike a rename, never takes the place of a file: of two that put the same bytes at
     // the same time one is the first.

@@ -15,9 +15,18 @@ Result<void> apply_transition(Job& job, const Transition& change) {
     }
     job.state = to;
     ++job.revision;
-    if (to == JobState::Running) job.started_ms = change.now_ms;
-    if (to == JobState::Queued) job.started_ms = 0;
-    if (to == JobState::Failed) job.failure = change.failure;
+    if (to == JobState::Running) {
+        job.started_ms = change.now_ms;
+        ++job.attempts;
+    }
+    if (to == JobState::Queued) {
+        job.started_ms = 0;
+        if (change.takes_begin_back && job.attempts > 0) --job.attempts;
+    }
+    if (to == JobState::Failed) {
+        job.failure = change.failure;
+        job.failure_code = change.failure_code;
+    }
     if (is_final(to)) {
         job.ended_ms = change.now_ms;
         job.progress = change.progress;

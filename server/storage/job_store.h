@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/core/result.h"
@@ -32,14 +33,21 @@ struct JobListing {
 /// A change of state and what is written with it.
 struct Transition {
     JobState from, to;
-    std::int64_t now_ms = 0;  ///< Unix time; becomes started_ms or ended_ms
-    std::string failure{};    ///< kept when `to` is Failed
-    JobProgress progress{};   ///< kept when `to` is final
+    std::int64_t now_ms = 0;     ///< Unix time; becomes started_ms or ended_ms
+    std::string failure{};       ///< kept when `to` is Failed
+    JobProgress progress{};      ///< kept when `to` is final
+    std::string failure_code{};  ///< kept when `to` is Failed
+    /// Of Running -> Queued: the process stops in order, so that this begin does not count as one
+    /// that ended it.
+    bool takes_begin_back = false;
 };
 
 /// Thread-safe; may block on a disk, never on a render. Jobs that come out carry no request
 /// document: those can be large, and only the worker that begins the job wants it. What has
-/// returned survives a crash. Errors: Internal when the store itself fails.
+/// returned survives a crash, but for Queued -> Running, which a power loss may undo: the job is
+/// begun again then anyhow. Errors: Internal when the store itself fails, with the code
+/// "storage-full" or "storage-failed": nothing was changed then, and the same call may go well
+/// later.
 class JobStore {
   public:
     virtual ~JobStore() = default;
@@ -61,12 +69,18 @@ class JobStore {
     /// Atomic compare-and-set through the table of legal transitions; the job after it. NotFound;
     /// Conflict when the job is not in `from` or the table does not allow it.
     [[nodiscard]] virtual Result<Job> transition(const JobId& id, const Transition& change) = 0;
-    /// Removes the job and its idempotency key. NotFound.
+    /// Removes the job and its idempotency key, and notes in the same transaction that its results
+    /// are to go. NotFound.
     [[nodiscard]] virtual Result<void> remove(const JobId& id) = 0;
+    /// Jobs that were removed since the last forget_removed().
+    [[nodiscard]] virtual Result<std::vector<JobId>> removed() const = 0;
+    [[nodiscard]] virtual Result<void> forget_removed() = 0;
     /// Queued and running jobs, oldest first: what a restart goes on with.
     [[nodiscard]] virtual Result<std::vector<Job>> unfinished() const = 0;
-    /// Whether the store can write now.
-    [[nodiscard]] virtual bool healthy() const = 0;
+    /// Id and state of every job, in no order.
+    [[nodiscard]] virtual Result<std::vector<std::pair<JobId, JobState>>> states() const = 0;
+    /// Writes something and flushes it, to learn whether the store would keep what comes.
+    [[nodiscard]] virtual Result<void> probe() = 0;
 };
 
 /// The one place that says what a transition does to a job: state, times, failure, revision.

@@ -80,7 +80,26 @@ Result<void> MemoryJobStore::remove(const JobId& id) {
     const std::lock_guard lock(mutex_);
     if (jobs_.erase(id) == 0) return no_such_job();
     std::erase_if(keys_, [&](const auto& entry) { return entry.second.job == id; });
+    removed_.push_back(id);
     return {};
+}
+
+Result<std::vector<JobId>> MemoryJobStore::removed() const {
+    const std::lock_guard lock(mutex_);
+    return removed_;
+}
+
+Result<void> MemoryJobStore::forget_removed() {
+    const std::lock_guard lock(mutex_);
+    removed_.clear();
+    return {};
+}
+
+Result<std::vector<std::pair<JobId, JobState>>> MemoryJobStore::states() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::pair<JobId, JobState>> states;
+    for (const auto& [id, job] : jobs_) states.emplace_back(id, job.state);
+    return states;
 }
 
 Result<std::vector<Job>> MemoryJobStore::unfinished() const {

@@ -22,7 +22,10 @@ class MemoryJobStore : public JobStore {
     [[nodiscard]] Result<Job> transition(const JobId& id, const Transition& change) override;
     [[nodiscard]] Result<void> remove(const JobId& id) override;
     [[nodiscard]] Result<std::vector<Job>> unfinished() const override;
-    [[nodiscard]] bool healthy() const override { return true; }
+    [[nodiscard]] Result<std::vector<JobId>> removed() const override;
+    [[nodiscard]] Result<void> forget_removed() override;
+    [[nodiscard]] Result<std::vector<std::pair<JobId, JobState>>> states() const override;
+    [[nodiscard]] Result<void> probe() override { return {}; }
 
   private:
     struct Key {
@@ -34,6 +37,7 @@ class MemoryJobStore : public JobStore {
     mutable std::mutex mutex_;
     std::map<JobId, Job> jobs_;        // guarded by mutex_
     std::map<std::string, Key> keys_;  // guarded by mutex_
+    std::vector<JobId> removed_;       // guarded by mutex_
 };
 
 }  // namespace bouguer::server

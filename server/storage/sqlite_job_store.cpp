@@ -2,6 +2,7 @@
 #include "server/storage/sqlite_job_store.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <sqlite3.h>
 
 #include <mutex>
 
@@ -22,7 +23,7 @@ namespace {
 constexpr const char* kColumns =
     "id, state, priority, created_ms, started_ms, ended_ms, revision, memory_bytes, name, "
     "scene_digest, digest, failure, fraction, samples, passes, rays, seconds, rmse, rmse_low, "
-    "rmse_high, relative_rmse, relative_rmse_low, relative_rmse_high";
+    "rmse_high, relative_rmse, relative_rmse_low, relative_rmse_high, attempts, failure_code";
 
 tl::unexpected<Error> no_such_job() { return fail(ErrorKind::NotFound, "no such job"); }
 
@@ -32,9 +33,14 @@ auto guarded(Work&& work) -> decltype(work()) {
     try {
         return work();
     } catch (const SQLite::Exception& e) {
+        const bool is_full = e.getErrorCode() == SQLITE_FULL;
         return fail(ErrorKind::Internal, std::string("the job store failed: ") + e.what(),
-                    "storage-failed");
+                    is_full ? "storage-full" : "storage-failed");
     }
+}
+
+JobState state_from(const std::string& name) {
+    return job_state_from(name).value_or(JobState::Failed);
 }
 
 std::map<std::string, std::string> read_labels(SQLite::Database& db, const JobId& id) {
@@ -94,7 +100,7 @@ void bind_progress(SQLite::Statement& row, int i, const JobProgress& progress) {
 Job read_job(SQLite::Database& db, SQLite::Statement& query) {
     Job job;
     job.id = query.getColumn(0).getString();
-    job.state = job_state_from(query.getColumn(1).getString()).value_or(JobState::Failed);
+    job.state = state_from(query.getColumn(1).getString());
     job.priority = query.getColumn(2).getInt();
     job.created_ms = query.getColumn(3).getInt64();
     job.started_ms = query.getColumn(4).getInt64();
@@ -106,6 +112,8 @@ Job read_job(SQLite::Database& db, SQLite::Statement& query) {
     job.digest = query.getColumn(10).getString();
     job.failure = query.getColumn(11).getString();
     job.progress = read_progress(query, 12);
+    job.attempts = query.getColumn(23).getUInt();
+    job.failure_code = query.getColumn(24).getString();
     job.labels = read_labels(db, job.id);
     return job;
 }
@@ -139,7 +147,7 @@ void insert_job(SQLite::Database& db, const Job& job) {
     SQLite::Statement row(db, std::string("INSERT INTO jobs (") + kColumns +
                                   ", request) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
                                   "?, ?, ?, ?, ?, ?, ?, ?, "
-                                  "?)");
+                                  "?, ?, ?)");
     row.bind(1, job.id);
     row.bind(2, std::string(to_string(job.state)));
     row.bind(3, job.priority);
@@ -153,7 +161,9 @@ void insert_job(SQLite::Database& db, const Job& job) {
     row.bind(11, job.digest);
     row.bind(12, job.failure);
     bind_progress(row, 13, job.progress);
-    row.bind(24, job.request);
+    row.bind(24, job.attempts);
+    row.bind(25, job.failure_code);
+    row.bind(26, job.request);
     row.exec();
     for (const auto& [name, value] : job.labels) {
         SQLite::Statement label(db,
@@ -181,16 +191,37 @@ void store_transition(SQLite::Database& db, const Job& job) {
         "UPDATE jobs SET state = ?, started_ms = ?, ended_ms = ?, revision = ?, failure = ?, "
         "fraction = ?, samples = ?, passes = ?, rays = ?, seconds = ?, rmse = ?, "
         "rmse_low = ?, rmse_high = ?, relative_rmse = ?, relative_rmse_low = ?, relative_rmse_high "
-        "= ? WHERE id = ?");
+        "= ?, attempts = ?, failure_code = ? WHERE id = ?");
     row.bind(1, std::string(to_string(job.state)));
     row.bind(2, job.started_ms);
     row.bind(3, job.ended_ms);
     row.bind(4, static_cast<std::int64_t>(job.revision));
     row.bind(5, job.failure);
     bind_progress(row, 6, job.progress);
-    row.bind(17, job.id);
+    row.bind(17, job.attempts);
+    row.bind(18, job.failure_code);
+    row.bind(19, job.id);
     row.exec();
 }
+
+/// Commits without waiting for the disk, in a transaction begun and ended during its life: the end
+/// of the process does not undo it, a power loss may. What is committed later with a flush brings
+/// this along, since both are in the same log.
+class Unflushed {
+  public:
+    Unflushed(SQLite::Database& db, bool applies) : db_(db), applies_(applies) {
+        if (applies_) db_.exec("PRAGMA synchronous = NORMAL");
+    }
+    ~Unflushed() {
+        if (applies_) sqlite3_exec(db_.getHandle(), kFlushedCommits, nullptr, nullptr, nullptr);
+    }
+    Unflushed(const Unflushed&) = delete;
+    Unflushed& operator=(const Unflushed&) = delete;
+
+  private:
+    SQLite::Database& db_;
+    const bool applies_;
+};
 
 }  // namespace
 
@@ -277,6 +308,8 @@ Result<Job> SqliteJobStore::transition(const JobId& id, const Transition& change
     const std::lock_guard lock(connection_->mutex);
     return guarded([&]() -> Result<Job> {
         auto& db = connection_->database;
+        // A begin that a power loss undoes is a job that waits, which is begun again all the same.
+        const Unflushed unflushed(db, change.to == JobState::Running);
         SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
         auto job = find_job(db, id);
         if (!job) return no_such_job();
@@ -290,9 +323,15 @@ Result<Job> SqliteJobStore::transition(const JobId& id, const Transition& change
 Result<void> SqliteJobStore::remove(const JobId& id) {
     const std::lock_guard lock(connection_->mutex);
     return guarded([&]() -> Result<void> {
-        SQLite::Statement row(connection_->database, "DELETE FROM jobs WHERE id = ?");
+        auto& db = connection_->database;
+        SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
+        SQLite::Statement row(db, "DELETE FROM jobs WHERE id = ?");
         row.bind(1, id);
         if (row.exec() == 0) return no_such_job();
+        SQLite::Statement note(db, "INSERT INTO removed_jobs (job_id) VALUES (?)");
+        note.bind(1, id);
+        note.exec();
+        transaction.commit();
         return {};
     });
 }
@@ -307,17 +346,46 @@ Result<std::vector<Job>> SqliteJobStore::unfinished() const {
     });
 }
 
-bool SqliteJobStore::healthy() const {
-    // Asked by the thread that owns every connection: it must not wait for a disk.
-    const std::unique_lock lock(connection_->mutex, std::try_to_lock);
-    if (!lock) return was_healthy_;
-    was_healthy_ = guarded([&]() -> Result<bool> {
-                       // Takes and gives back the write lock: fails when the file went read-only.
-                       SQLite::Transaction transaction(connection_->database,
-                                                       SQLite::TransactionBehavior::IMMEDIATE);
-                       return true;
-                   }).value_or(false);
-    return was_healthy_;
+Result<std::vector<JobId>> SqliteJobStore::removed() const {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<std::vector<JobId>> {
+        std::vector<JobId> ids;
+        SQLite::Statement query(connection_->database, "SELECT job_id FROM removed_jobs");
+        while (query.executeStep()) ids.push_back(query.getColumn(0).getString());
+        return ids;
+    });
+}
+
+Result<void> SqliteJobStore::forget_removed() {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<void> {
+        connection_->database.exec("DELETE FROM removed_jobs");
+        return {};
+    });
+}
+
+Result<std::vector<std::pair<JobId, JobState>>> SqliteJobStore::states() const {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<std::vector<std::pair<JobId, JobState>>> {
+        std::vector<std::pair<JobId, JobState>> states;
+        SQLite::Statement query(connection_->database, "SELECT id, state FROM jobs");
+        while (query.executeStep()) {
+            states.emplace_back(query.getColumn(0).getString(),
+                                state_from(query.getColumn(1).getString()));
+        }
+        return states;
+    });
+}
+
+Result<void> SqliteJobStore::probe() {
+    const std::lock_guard lock(connection_->mutex);
+    return guarded([&]() -> Result<void> {
+        // The same number again: SQLite does not look and writes the page, as for any transaction.
+        auto& db = connection_->database;
+        const int version = db.execAndGet("PRAGMA user_version").getInt();
+        db.exec("PRAGMA user_version = " + std::to_string(version));
+        return {};
+    });
 }
 
 }  // namespace bouguer::server

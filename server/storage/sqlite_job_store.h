@@ -2,7 +2,6 @@
 // Jobs in one SQLite file: the record of a single machine.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <memory>
 
@@ -31,14 +30,16 @@ class SqliteJobStore final : public JobStore {
     [[nodiscard]] Result<Job> transition(const JobId& id, const Transition& change) override;
     [[nodiscard]] Result<void> remove(const JobId& id) override;
     [[nodiscard]] Result<std::vector<Job>> unfinished() const override;
-    [[nodiscard]] bool healthy() const override;
+    [[nodiscard]] Result<std::vector<JobId>> removed() const override;
+    [[nodiscard]] Result<void> forget_removed() override;
+    [[nodiscard]] Result<std::vector<std::pair<JobId, JobState>>> states() const override;
+    [[nodiscard]] Result<void> probe() override;
 
   private:
     struct Connection;
     explicit SqliteJobStore(std::unique_ptr<Connection> connection);
 
     std::unique_ptr<Connection> connection_;
-    mutable std::atomic<bool> was_healthy_ = true;  ///< the newest answer of healthy()
 };
 
 }  // namespace bouguer::server

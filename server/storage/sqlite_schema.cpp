@@ -57,6 +57,13 @@ CREATE TABLE idempotency_keys (
 );
 CREATE INDEX idempotency_keys_by_job ON idempotency_keys (job_id);
 )sql",
+    R"sql(
+ALTER TABLE jobs ADD COLUMN attempts BIGINT NOT NULL DEFAULT 0;
+ALTER TABLE jobs ADD COLUMN failure_code TEXT NOT NULL DEFAULT '';
+CREATE TABLE removed_jobs (
+    job_id TEXT PRIMARY KEY
+);
+)sql",
 };
 
 void set_pragmas(SQLite::Database& db) {
@@ -64,7 +71,7 @@ void set_pragmas(SQLite::Database& db) {
     // index lives in our memory instead of a file that others could map.
     db.exec("PRAGMA locking_mode = EXCLUSIVE");
     db.exec("PRAGMA journal_mode = WAL");
-    db.exec("PRAGMA synchronous = FULL");
+    db.exec(kFlushedCommits);
     db.exec("PRAGMA foreign_keys = ON");
 }
 
@@ -77,6 +84,7 @@ Result<void> migrate(SQLite::Database& db) {
                     "the job store was written by a newer version of this program",
                     "storage-too-new");
     }
+    if (version == newest) return {};  // writes nothing: a full disk can still be started on
     for (int v = version; v < newest; ++v) db.exec(kMigrations.at(static_cast<std::size_t>(v)));
     db.exec("PRAGMA user_version = " + std::to_string(newest));
     transaction.commit();

@@ -8,6 +8,10 @@
 
 namespace bouguer::server {
 
+/// The pragma by which a commit waits for the disk, so that it survives a power loss: as
+/// prepare_database() leaves it.
+inline constexpr const char* kFlushedCommits = "PRAGMA synchronous = FULL";
+
 /// Sets the pragmas, checks the file and makes or migrates the tables. Error{Internal}: damaged,
 /// locked by another process, or written by a newer version. Throws SQLite::Exception for the rest.
 [[nodiscard]] Result<void> prepare_database(SQLite::Database& database);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server/http/routes/health_routes.h"
 
+#include "api/json_builder.h"
 #include "server/http/plain_answer.h"
 
 namespace bouguer::server {
@@ -14,9 +15,12 @@ struct Health {
 Health livez() { return {200, "{\"status\":\"alive\"}\n"}; }
 
 Health readyz(const JobService& jobs) {
-    const bool ready = jobs.ready();
-    return {ready ? 200 : 503, std::string("{\"status\":\"") + (ready ? "ready" : "not ready") +
-                                   "\",\"queued\":" + std::to_string(jobs.queue_length()) + "}\n"};
+    const Readiness readiness = jobs.readiness();
+    api::JsonObject json;
+    json.set("status", readiness.ready ? "ready" : "not ready");
+    if (!readiness.ready) json.set("reason", readiness.reason);
+    json.set("queued", static_cast<std::uint64_t>(jobs.queue_length()));
+    return {readiness.ready ? 200 : 503, json.text() + "\n"};
 }
 
 void send(httplib::Response& response, Health health) {

@@ -9,7 +9,7 @@
 namespace bouguer::server {
 
 /// Fills the answer when the exchange is a GET or HEAD of one of the two; else false. Calls
-/// JobService::ready() and queue_length(), which must not block. Does not throw but for memory.
+/// JobService::readiness() and queue_length(), which must not block. Does not throw but for memory.
 [[nodiscard]] bool answer_health(const JobService& jobs, Exchange& exchange);
 
 /// The same paths for the router, which knows by that that other methods are not allowed.

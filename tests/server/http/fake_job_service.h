@@ -41,7 +41,9 @@ class FakeJobService : public JobService {
     Result<std::unique_ptr<Subscription>> subscribe(const JobId& id,
                                                     EventListener listener) override;
     Result<std::string> validate(const std::string& body) const override;
-    bool ready() const override { return is_ready; }
+    Readiness readiness() const override {
+        return is_ready ? Readiness{} : Readiness{false, "storage-full"};
+    }
     std::size_t queue_length() const override { return 3; }
     int retry_after_s() const override { return 37; }
 

@@ -305,7 +305,8 @@ TEST_F(JobManagerTest, PutsRunningJobsBackIntoTheQueueWhenItStops) {
     wait_for_picture(*manager, id);
     manager->stop();
     EXPECT_EQ(jobs_.find(id)->state, JobState::Queued);
-    EXPECT_FALSE(manager->ready());
+    EXPECT_FALSE(manager->readiness().ready);
+    EXPECT_EQ(manager->readiness().reason, "draining");
     EXPECT_EQ(manager->submit(small_job(), "").error().code, "draining");
 }
 
@@ -326,6 +327,7 @@ TEST_F(JobManagerTest, ARestartGivesTheSameBytesAsAnUninterruptedRun) {
         manager->stop();
     }
     ASSERT_EQ(jobs_.find(interrupted)->state, JobState::Queued);
+    EXPECT_EQ(jobs_.find(interrupted)->attempts, 0U) << "an orderly stop is no crash";
     ASSERT_TRUE(jobs_.transition(interrupted, {JobState::Queued, JobState::Running, 1}));
     const auto manager = start();
     wait_for_end(*manager, interrupted);
@@ -417,29 +419,68 @@ TEST_F(JobManagerTest, HasTheFileOfAJobThatEndsWhileItIsAskedFor) {
     EXPECT_TRUE(manager.file(id, "image.exr"));
 }
 
-/// Cannot keep anything.
-class FullDisk final : public ResultStore {
-  public:
-    Result<void> put(const JobId&, const ResultFiles&) override {
-        return fail(ErrorKind::Internal, "no space left");
+/// What a process leaves behind that ended `crashes` times while it rendered the job.
+JobId add_crashed(JobStore& jobs, const std::string& body, int crashes, int number = 1) {
+    Job job;
+    job.id = "01890a5d-ac96-774b-bcce-00000000000" + std::to_string(number);
+    const auto request = api::parse_job(body, {}, NoAssets());
+    job.request = request->canonical;
+    job.digest = request->digest;
+    job.scene_digest = request->scene_digest;
+    EXPECT_TRUE(jobs.insert(job, {}));
+    for (int i = 0; i < crashes; ++i) {
+        if (i > 0) {
+            EXPECT_TRUE(jobs.transition(job.id, {JobState::Running, JobState::Queued, 1}));
+        }
+        EXPECT_TRUE(jobs.transition(job.id, {JobState::Queued, JobState::Running, 1}));
     }
-    Result<StoredFile> get(const JobId&, const std::string&) const override {
-        return fail(ErrorKind::NotFound, "");
-    }
-    Result<std::vector<std::string>> names(const JobId&) const override {
-        return std::vector<std::string>{};
-    }
-    Result<void> remove(const JobId&) override { return {}; }
-};
+    return job.id;
+}
 
-TEST_F(JobManagerTest, AJobWhoseResultsCannotBeStoredFails) {
-    FullDisk full;
-    JobManager manager(jobs_, full, assets_, {.threads = 1});
-    ASSERT_TRUE(manager.start());
-    const JobId id = submit(manager, small_job());
-    wait_for_end(manager, id);
-    EXPECT_EQ(state_of(manager, id), JobState::Failed);
-    EXPECT_EQ(manager.find(id)->job.failure, "no space left");
+TEST_F(JobManagerTest, AJobThatEndedTheProcessThreeTimesIsNotBegunAgain) {
+    const JobId crashed = add_crashed(jobs_, small_job(), 3);
+    const JobId suspect = add_crashed(jobs_, small_job(), 2, 2);
+    const auto manager = start();
+    EXPECT_EQ(state_of(*manager, crashed), JobState::Failed);
+    EXPECT_EQ(manager->find(crashed)->job.failure_code, "crashed-the-server");
+    EXPECT_NE(job_json(*manager->find(crashed)).find(R"("attempts":3)"), std::string::npos);
+    wait_for_end(*manager, suspect);
+    EXPECT_EQ(state_of(*manager, suspect), JobState::Done);
+    EXPECT_EQ(manager->find(suspect)->job.attempts, 3U);
+}
+
+TEST_F(JobManagerTest, TheLastBeginOfASuspectIsAloneAndFirst) {
+    const JobId innocent = add_crashed(jobs_, endless_job(R"(,"priority":100)"), 0, 1);
+    const JobId suspect = add_crashed(jobs_, endless_job(), 2, 2);
+    const auto manager = start();
+    wait_for_picture(*manager, suspect);
+    EXPECT_EQ(state_of(*manager, innocent), JobState::Queued);
+    ASSERT_TRUE(manager->cancel(suspect));
+    wait_for_picture(*manager, innocent);
+}
+
+TEST_F(JobManagerTest, DoesNotRenderWhatWasNotAccepted) {
+    Job job;
+    job.id = "01890a5d-ac96-774b-bcce-b302099a8057";
+    const auto accepted = api::parse_job(small_job(4), {}, assets_);
+    job.digest = accepted->digest;
+    job.scene_digest = accepted->scene_digest;
+    job.request = api::parse_job(small_job(5), {}, assets_)->canonical;  // one number differs
+    ASSERT_TRUE(jobs_.insert(job, {}));
+    const auto manager = start();
+    wait_for_end(*manager, job.id);
+    EXPECT_EQ(state_of(*manager, job.id), JobState::Failed);
+    EXPECT_EQ(manager->find(job.id)->job.failure_code, "store-damaged");
+}
+
+// The job was accepted by a process that had more.
+TEST_F(JobManagerTest, AJobThatNoLongerFitsFailsBeforeItTakesMemory) {
+    const JobId id = add_crashed(jobs_, small_job(1, "", "[1000,1000]"), 0);
+    JobManagerOptions options{.threads = 1};
+    options.documents.memory_bytes = 100'000'000;
+    const auto manager = start(options);
+    wait_for_end(*manager, id);
+    EXPECT_EQ(manager->find(id)->job.failure_code, "over-limit");
 }
 
 }  // namespace

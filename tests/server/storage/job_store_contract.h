@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <thread>
 
@@ -59,7 +60,7 @@ TYPED_TEST_P(JobStoreContract, GivesBackWhatWasInserted) {
     EXPECT_EQ(inserted->job, stored(job));
     EXPECT_EQ(this->store_->find(job.id).value(), stored(job));
     EXPECT_EQ(this->store_->request(job.id).value(), job.request);
-    EXPECT_TRUE(this->store_->healthy());
+    EXPECT_TRUE(this->store_->probe());
 }
 
 TYPED_TEST_P(JobStoreContract, RefusesAnIdTwice) {
@@ -200,6 +201,50 @@ TYPED_TEST_P(JobStoreContract, ARestartTakesTheStartBack) {
     EXPECT_EQ(queued->ended_ms, 0);
 }
 
+TYPED_TEST_P(JobStoreContract, CountsBeginsThatNoOrderlyStopEnded) {
+    this->insert(make_job(1));
+    const auto change = [&](JobState from, JobState to, bool takes_begin_back = false) {
+        Transition transition{from, to, 50};
+        transition.takes_begin_back = takes_begin_back;
+        return this->store_->transition(id_number(1), transition)->attempts;
+    };
+    EXPECT_EQ(change(JobState::Queued, JobState::Running), 1U);
+    EXPECT_EQ(change(JobState::Running, JobState::Queued), 1U) << "what a crash left";
+    EXPECT_EQ(change(JobState::Queued, JobState::Running), 2U);
+    EXPECT_EQ(change(JobState::Running, JobState::Queued, true), 1U) << "an orderly stop";
+    EXPECT_EQ(change(JobState::Queued, JobState::Running), 2U);
+    EXPECT_EQ(this->store_->find(id_number(1))->attempts, 2U);
+    EXPECT_EQ(this->store_->unfinished()->at(0).attempts, 2U);
+}
+
+TYPED_TEST_P(JobStoreContract, KeepsTheCodeOfAFailure) {
+    this->insert(make_job(1));
+    Transition failed{JobState::Queued, JobState::Failed, 60, "no light"};
+    failed.failure_code = "too-dark";
+    ASSERT_TRUE(this->store_->transition(id_number(1), failed));
+    EXPECT_EQ(this->store_->find(id_number(1))->failure_code, "too-dark");
+}
+
+TYPED_TEST_P(JobStoreContract, RemembersWhatWasRemovedUntilToldOtherwise) {
+    this->insert(make_job(1));
+    this->insert(make_job(2));
+    ASSERT_TRUE(this->store_->remove(id_number(1)));
+    EXPECT_FALSE(this->store_->remove(id_number(1)));
+    EXPECT_EQ(this->store_->removed().value(), std::vector<JobId>{id_number(1)});
+    ASSERT_TRUE(this->store_->forget_removed());
+    EXPECT_TRUE(this->store_->removed()->empty());
+}
+
+TYPED_TEST_P(JobStoreContract, TellsTheStateOfEveryJob) {
+    this->insert(make_job(1));
+    this->insert(make_job(2));
+    ASSERT_TRUE(this->store_->transition(id_number(2), {JobState::Queued, JobState::Running, 5}));
+    auto states = this->store_->states().value();
+    std::sort(states.begin(), states.end());
+    EXPECT_EQ(states, (std::vector<std::pair<JobId, JobState>>{{id_number(1), JobState::Queued},
+                                                               {id_number(2), JobState::Running}}));
+}
+
 // Every pair of states: only the table's transitions happen, and only from the state that is named.
 TYPED_TEST_P(JobStoreContract, RefusesWhatTheTableDoesNotAllow) {
     constexpr std::array kStates{JobState::Queued, JobState::Running, JobState::Done,
@@ -269,6 +314,8 @@ REGISTER_TYPED_TEST_SUITE_P(JobStoreContract, GivesBackWhatWasInserted, RefusesA
                             JobsWithoutAKeyAreAllNew, ListsNewestFirstPageByPage,
                             AFullLastPageHasNoCursor, ListsByState, RefusesForeignCursors,
                             TransitionsSetTimesAndRevision, ARestartTakesTheStartBack,
+                            CountsBeginsThatNoOrderlyStopEnded, KeepsTheCodeOfAFailure,
+                            RemembersWhatWasRemovedUntilToldOtherwise, TellsTheStateOfEveryJob,
                             RefusesWhatTheTableDoesNotAllow, TransitionsAreAtomic,
                             FindsUnfinishedJobsOldestFirst);
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether what comes can be stored: known at any time without waiting for a disk.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "renderer/core/result.h"
+
+namespace bouguer::server {
+
+struct StorageWatchTimes {
+    std::chrono::milliseconds between_probes{1'000};  ///< while all is well
+    std::chrono::milliseconds first_retry{50};        ///< after a failure; doubles with every try
+    std::chrono::milliseconds longest_retry{2'000};
+};
+
+/// A thread that probes the storage and, when it works, has done what is left to do. A failure that
+/// anybody reports counts at once and until a later probe and all that is left have gone well.
+/// Thread-safe.
+class StorageWatch {
+  public:
+    using Work = std::function<Result<void>()>;  ///< called by the watch's thread
+
+    /// `probe` writes something; `catch_up` does what waits for the storage. Nothing runs before
+    /// start().
+    StorageWatch(Work probe, Work catch_up, StorageWatchTimes times = {});
+    /// As stop().
+    ~StorageWatch();
+    StorageWatch(const StorageWatch&) = delete;
+    StorageWatch& operator=(const StorageWatch&) = delete;
+
+    void start();
+    /// Waits for a probe under way. Idempotent.
+    void stop();
+
+    /// Something could not be stored.
+    void report(const Error& error);
+    /// The newest error that holds; nothing when all is well.
+    [[nodiscard]] std::optional<Error> error() const;
+
+  private:
+    void run();
+    /// Sleeps until the next probe is due; false when the watch stops.
+    [[nodiscard]] bool wait();
+    [[nodiscard]] Result<void> look() const;
+    void settle(const Result<void>& result, std::uint64_t reports_before);
+
+    const Work probe_, catch_up_;
+    const StorageWatchTimes times_;
+    mutable std::mutex mutex_;
+    std::condition_variable news_;
+    std::optional<Error> error_;          // guarded by mutex_, as all below
+    std::uint64_t reports_ = 0;           ///< calls of report()
+    std::chrono::milliseconds retry_{0};  ///< the next wait after a failure
+    bool stopping_ = false;
+    std::thread thread_;  // last: it uses all the others; used by start() and stop() only
+};
+
+}  // namespace bouguer::server
