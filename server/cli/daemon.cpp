@@ -2,8 +2,8 @@
 #include "server/cli/daemon.h"
 
 #include <sys/resource.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "api/json_builder.h"
@@ -11,6 +11,8 @@
 #include "server/http/http_server.h"
 #include "server/jobs/job_manager.h"
 #include "server/log.h"
+#include "server/machine_memory.h"
+#include "server/storage/data_folder.h"
 #include "server/storage/folder_asset_source.h"
 #include "server/storage/folder_asset_store.h"
 #include "server/storage/folder_result_store.h"
@@ -21,12 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Half of the machine's memory.
-std::uint64_t default_memory_bytes() {
-    const long pages = sysconf(_SC_PHYS_PAGES);
-    const long page_bytes = sysconf(_SC_PAGESIZE);
-    if (pages <= 0 || page_bytes <= 0) return SchedulerLimits().memory_bytes;
-    return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page_bytes) / 2;
+/// What the process may use goes to those who hold much; where that cannot be learnt, 8 GiB.
+MemoryShares memory_shares() {
+    const std::uint64_t machine = machine_memory_bytes();
+    return share_memory(machine > 0 ? machine : std::uint64_t{8} << 30U);
 }
 
 /// As many open files as the system lets us have: connections need one each.
@@ -37,17 +37,36 @@ void raise_descriptor_limit() {
     (void)setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-JobManagerOptions manager_options(const ServeOptions& options) {
+JobManagerOptions manager_options(const ServeOptions& options, const MemoryShares& memory) {
     JobManagerOptions result;
     result.threads = options.threads > 0 ? options.threads
                                          : static_cast<int>(std::thread::hardware_concurrency());
     result.scheduler.tasks = options.queue;
     result.scheduler.memory_bytes =
         options.memory_gib > 0 ? static_cast<std::uint64_t>(options.memory_gib * (1U << 30U))
-                               : default_memory_bytes();
+                               : memory.jobs;
     result.documents.memory_bytes =
         std::min(result.documents.memory_bytes, result.scheduler.memory_bytes);
+    result.scene_cache_bytes = memory.scenes;
     return result;
+}
+
+HttpOptions http_options(const ServeOptions& options, const ListenAddress& address,
+                         const MemoryShares& memory) {
+    HttpOptions http;
+    http.host = address.host;
+    http.port = address.port;
+    http.cors_origins = options.cors_origins;
+    for (const std::string& host : options.allowed_hosts) {
+        if (auto allowed = authority_from(host)) http.allowed_hosts.push_back(std::move(*allowed));
+    }
+    HttpLimits& limits = http.limits;
+    limits.buffered_bytes = memory.buffers;
+    limits.upload_bytes = memory.uploads;
+    // One that could never fit is told so at once.
+    limits.body_bytes = std::min<std::size_t>(limits.body_bytes, memory.buffers);
+    limits.asset_bytes = std::min<std::size_t>(limits.asset_bytes, memory.uploads);
+    return http;
 }
 
 void log_request(const AccessRecord& record) {
@@ -104,17 +123,17 @@ Result<Daemon> Daemon::start(const ServeOptions& options, const ListenAddress& a
     if (!store) return tl::unexpected(store.error());
     parts.uploads = std::move(*store);
     parts.assets = std::make_unique<FolderAssetSource>(assets, uploads);
-    parts.manager = std::make_unique<JobManager>(*parts.jobs, *parts.results, *parts.assets,
-                                                 manager_options(options));
+    auto folder =
+        DataFolder::open({options.data, options.data / "jobs.sqlite", options.data / "results"});
+    if (!folder) return tl::unexpected(folder.error());
+    const MemoryShares memory = memory_shares();
+    JobManagerOptions managing = manager_options(options, memory);
+    managing.check_storage = [folder = std::move(*folder)] { return folder.check(); };
+    parts.manager =
+        std::make_unique<JobManager>(*parts.jobs, *parts.results, *parts.assets, managing);
     if (auto started = parts.manager->start(); !started) return tl::unexpected(started.error());
-    HttpOptions http;
-    http.host = address.host;
-    http.port = address.port;
-    http.cors_origins = options.cors_origins;
-    for (const std::string& host : options.allowed_hosts) {
-        if (auto allowed = authority_from(host)) http.allowed_hosts.push_back(std::move(*allowed));
-    }
-    auto server = HttpServer::start(*parts.manager, *parts.uploads, http, log_request);
+    auto server = HttpServer::start(*parts.manager, *parts.uploads,
+                                    http_options(options, address, memory), log_request);
     if (!server) return tl::unexpected(server.error());
     parts.http = std::move(*server);
     return Daemon(std::move(made_parts));

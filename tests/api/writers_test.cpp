@@ -74,6 +74,14 @@ TEST(ProblemWriter, MapsKindsToStatuses) {
     EXPECT_EQ(status(ErrorKind::Internal), 500);
 }
 
+// A fault of the storage is over some time: the client is to ask again, and not to think that the
+// server is broken.
+TEST(ProblemWriter, TellsFaultsOfTheStorageFromOthers) {
+    EXPECT_EQ(status_of(Error{ErrorKind::Internal, "", {}, "storage-full"}), 507);
+    EXPECT_EQ(status_of(Error{ErrorKind::Internal, "", {}, "storage-failed"}), 503);
+    EXPECT_EQ(status_of(Error{ErrorKind::Internal, "", {}, "storage-damaged"}), 500);
+}
+
 // rmse = 3 / sqrt(samples) exactly: a straight line of slope -1/2 in logarithms.
 TEST(ErrorCurve, HasTheSlopeOfAPowerLaw) {
     std::vector<renderer::ErrorPoint> curve{point(1, 3), point(4, 1.5)};

@@ -14,7 +14,10 @@ TEST_F(HealthRoutesTest, SayWhetherJobsAreTaken) {
     EXPECT_EQ(ask("GET", "/readyz").body, "{\"status\":\"ready\",\"queued\":3}\n");
     EXPECT_EQ(ask("HEAD", "/readyz").header("content-length"), "30");
     jobs.is_ready = false;
-    EXPECT_EQ(ask("GET", "/readyz").status, 503);
+    const RawResponse refused = ask("GET", "/readyz");
+    EXPECT_EQ(refused.status, 503);
+    EXPECT_EQ(refused.body,
+              "{\"status\":\"not ready\",\"reason\":\"storage-full\",\"queued\":3}\n");
     EXPECT_EQ(ask("GET", "/livez").status, 200);
 }
 
