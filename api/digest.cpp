@@ -5,17 +5,16 @@
 
 #include <array>
 
+#include "api/running_digest.h"
+
 namespace bouguer::api {
 namespace {
 
 constexpr std::string_view kPrefix = "sha256-";
 
-}  // namespace
+using Digest = std::array<unsigned char, EVP_MAX_MD_SIZE>;
 
-std::string sha256_hex(std::string_view bytes) {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned int size = 0;
-    EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
+std::string hex_of(const Digest& digest, unsigned int size) {
     constexpr std::string_view kDigits = "0123456789abcdef";
     std::string hex;
     hex.reserve(2UL * size);
@@ -24,6 +23,37 @@ std::string sha256_hex(std::string_view bytes) {
         hex += kDigits[digest[i] & 15U];
     }
     return hex;
+}
+
+}  // namespace
+
+std::string sha256_hex(std::string_view bytes) {
+    Digest digest{};
+    unsigned int size = 0;
+    EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
+    return hex_of(digest, size);
+}
+
+struct RunningDigest::State {
+    EVP_MD_CTX* context = EVP_MD_CTX_new();
+    State() { EVP_DigestInit_ex(context, EVP_sha256(), nullptr); }
+    ~State() { EVP_MD_CTX_free(context); }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+};
+
+RunningDigest::RunningDigest() : state_(std::make_unique<State>()) {}
+RunningDigest::~RunningDigest() = default;
+
+void RunningDigest::add(std::string_view bytes) {
+    EVP_DigestUpdate(state_->context, bytes.data(), bytes.size());
+}
+
+std::string RunningDigest::hex() {
+    Digest digest{};
+    unsigned int size = 0;
+    EVP_DigestFinal_ex(state_->context, digest.data(), &size);
+    return hex_of(digest, size);
 }
 
 std::string digest_of(std::string_view bytes) { return std::string(kPrefix) + sha256_hex(bytes); }

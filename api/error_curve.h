@@ -3,8 +3,10 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
+#include "renderer/core/result.h"
 #include "renderer/report.h"
 
 namespace bouguer::api {
@@ -13,5 +15,8 @@ namespace bouguer::api {
 /// independent samples, steeper for stratified ones. Points whose rmse is unknown or 0 are left
 /// out. Empty with fewer than three points, or when all have the same samples.
 [[nodiscard]] std::optional<double> error_slope(const std::vector<renderer::ErrorPoint>& curve);
+
+/// The points of a text that error_json() made. Internal, code "result-damaged".
+[[nodiscard]] Result<std::vector<renderer::ErrorPoint>> read_error_curve(std::string_view json);
 
 }  // namespace bouguer::api

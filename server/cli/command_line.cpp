@@ -110,13 +110,17 @@ void add_serve(CLI::App& app, ServeOptions& o) {
     app.add_option("--data", o.data, "folder for jobs and results; made if need be")
         ->type_name("DIR")
         ->capture_default_str();
+    app.add_flag("--accept-loss", o.accept_loss,
+                 "start also when jobs or results are missing in the data folder; results without "
+                 "a job are moved to DATA/lost-results");
     app.add_option("--assets", o.assets,
                    "folder of the files that scenes name by a path; DATA/assets "
                    "by default")
         ->type_name("DIR");
     add_threads(app, o.threads);
     app.add_option("--memory", o.memory_gib,
-                   "GiB for all running jobs together; 0: half of the machine's")
+                   "GiB for all running jobs together; 0: half of the machine's, or of what its "
+                   "control group (container) may have")
         ->check(within(0.0, 1e6));
     app.add_option("--queue", o.queue, "jobs that may wait or run; beyond: 503")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))

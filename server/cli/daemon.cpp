@@ -17,6 +17,7 @@
 #include "server/storage/folder_asset_store.h"
 #include "server/storage/folder_result_store.h"
 #include "server/storage/sqlite_job_store.h"
+#include "server/storage/store_gaps.h"
 
 namespace bouguer::server {
 namespace {
@@ -118,6 +119,9 @@ Result<Daemon> Daemon::start(const ServeOptions& options, const ListenAddress& a
     auto results = FolderResultStore::open(options.data / "results");
     if (!results) return tl::unexpected(results.error());
     parts.results = std::move(*results);
+    if (auto settled = settle_stores(*parts.jobs, *parts.results, options.accept_loss); !settled) {
+        return tl::unexpected(settled.error());
+    }
     const fs::path uploads = options.data / "assets";
     auto store = FolderAssetStore::open(uploads);
     if (!store) return tl::unexpected(store.error());

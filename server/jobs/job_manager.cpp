@@ -58,6 +58,16 @@ Transition gave_up(JobState from) {
             "crashed-the-server"};
 }
 
+/// A file that is made of a stored one.
+Result<ResultFile> made_of(const ResultFile& source, const std::string& media_type) {
+    const auto text = source.content.all();
+    if (!text) return tl::unexpected(text.error());
+    auto bytes = made_from_source(*text);
+    if (!bytes) return tl::unexpected(bytes.error());
+    std::string digest = api::sha256_hex(*bytes);
+    return ResultFile{std::move(*bytes), media_type, std::move(digest), source.final};
+}
+
 /// An error as one sentence for the record of a job: the message and the first problem.
 std::string sentence(const Error& error) {
     if (error.problems.empty()) return error.message;
@@ -445,18 +455,24 @@ Result<ResultFile> JobManager::file(const JobId& id, const std::string& name) co
         // Cancelled a moment ago: the newest pass is on its way to the store.
         if (stored || task == nullptr || stored.error().code != "no-result") return stored;
     }
-    if (const auto ended = unstored_.find(id)) {
-        const auto file = ended->files.find(name);
-        if (file != ended->files.end()) {
-            return ResultFile{file->second, media_type, api::sha256_hex(file->second), false};
-        }
-    }
+    if (const auto ended = unstored_.find(id)) return unstored_file(*ended, name, media_type);
     if (task == nullptr) {
         return fail(ErrorKind::Conflict, "there is nothing of this job yet", "job-not-finished");
     }
     auto shown = task->file(name);
     if (shown || !task->ended()) return shown;
     return stored_file(*job, name, media_type);  // where all of an ended task is
+}
+
+Result<ResultFile> JobManager::unstored_file(const RenderOutcome& ended, const std::string& name,
+                                             const std::string& media_type) {
+    const std::string_view source = source_of(name);
+    const auto file = ended.files.find(source.empty() ? name : std::string(source));
+    if (file == ended.files.end()) {
+        return fail(ErrorKind::NotFound, "the job ended without this result", "no-result");
+    }
+    ResultFile found{file->second, media_type, api::sha256_hex(file->second), false};
+    return source.empty() ? found : made_of(found, media_type);
 }
 
 Result<ResultFile> JobManager::stored_file(const Job& job, const std::string& name,
@@ -466,6 +482,11 @@ Result<ResultFile> JobManager::stored_file(const Job& job, const std::string& na
         return ResultFile{std::move(stored->content), media_type, std::move(stored->digest), true};
     }
     if (stored.error().kind != ErrorKind::NotFound) return tl::unexpected(stored.error());
+    if (!source_of(name).empty()) {
+        const auto source = stored_file(job, std::string(source_of(name)), media_type);
+        if (!source) return tl::unexpected(source.error());
+        return made_of(*source, media_type);
+    }
     if (job.state == JobState::Done) {
         return fail(ErrorKind::Internal, "the stored " + name + " is gone", "result-damaged");
     }

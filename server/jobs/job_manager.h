@@ -108,6 +108,9 @@ class JobManager final : public JobService, private RenderListener {
     [[nodiscard]] JobView view_of(Job job) const;
     /// `task` is what live() gave before the job was read.
     [[nodiscard]] JobView view_of(Job job, const std::shared_ptr<RenderTask>& task) const;
+    [[nodiscard]] static Result<ResultFile> unstored_file(const RenderOutcome& ended,
+                                                          const std::string& name,
+                                                          const std::string& media_type);
     [[nodiscard]] Result<ResultFile> stored_file(const Job& job, const std::string& name,
                                                  const std::string& media_type) const;
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 
+#include "api/error_curve.h"
 #include "api/writers.h"
 #include "renderer/film/error_plot.h"
 #include "renderer/film/image_file.h"
@@ -15,9 +16,15 @@ using renderer::OutputSettings;
 using renderer::Report;
 using Writer = std::string (*)(const Report&, const OutputSettings&, const JobDigests&);
 
+/// The plot of an error curve; empty when it cannot be drawn.
+std::string plot(const std::vector<renderer::ErrorPoint>& curve) {
+    return renderer::encode_png(draw_plot(renderer::error_plot(curve))).value_or("");
+}
+
 struct ResultName {
     std::string_view name, media_type;
-    Writer write;  ///< null: an image
+    Writer write;                     ///< null: an image
+    std::string_view made_from = {};  ///< not empty: made of that file when it is asked for
 };
 
 /// To add a file made of the report: its line here.
@@ -36,11 +43,11 @@ constexpr std::array kResults{
                [](const Report& report, const OutputSettings&, const JobDigests&) {
                    return api::error_csv(report);
                }},
-    ResultName{
-        "error.png", "image/png",
-        [](const Report& report, const OutputSettings&, const JobDigests&) {
-            return renderer::encode_png(draw_plot(renderer::error_plot(report.error))).value_or("");
-        }},
+    ResultName{"error.png", "image/png",
+               [](const Report& report, const OutputSettings&, const JobDigests&) {
+                   return plot(report.error);
+               },
+               "error.json"},
     ResultName{"plan.json", "application/json",
                [](const Report& report, const OutputSettings&, const JobDigests&) {
                    return api::plan_json(report.plan);
@@ -81,6 +88,17 @@ bool is_image(std::string_view name) {
     return result != nullptr && result->write == nullptr;
 }
 
+std::string_view source_of(std::string_view name) {
+    const ResultName* result = find_result(name);
+    return result == nullptr ? std::string_view{} : result->made_from;
+}
+
+Result<std::string> made_from_source(std::string_view source) {
+    const auto curve = api::read_error_curve(source);
+    if (!curve) return tl::unexpected(curve.error());
+    return plot(*curve);
+}
+
 std::optional<std::string> report_file(std::string_view name, const Report& report,
                                        const OutputSettings& output, const JobDigests& digests) {
     const ResultName* result = find_result(name);
@@ -100,8 +118,8 @@ Result<ResultFiles> result_files(const std::optional<renderer::Picture>& picture
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     report.timings.output_s = spent.count();
     for (const ResultName& result : kResults) {
-        if (result.write != nullptr)
-            files[std::string(result.name)] = result.write(report, output, digests);
+        if (result.write == nullptr || !result.made_from.empty()) continue;
+        files[std::string(result.name)] = result.write(report, output, digests);
     }
     return files;
 }

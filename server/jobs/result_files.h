@@ -17,6 +17,14 @@ namespace bouguer::server {
 /// Whether the file of that name shows the picture, so that there is none before the first pass.
 [[nodiscard]] bool is_image(std::string_view name);
 
+/// Of a file that is not stored but made of a stored one when it is asked for: the name of that
+/// one. Empty for all others.
+[[nodiscard]] std::string_view source_of(std::string_view name);
+
+/// Makes such a file ("error.png") of the bytes of its source. Error{Internal}, code
+/// "result-damaged".
+[[nodiscard]] Result<std::string> made_from_source(std::string_view source);
+
 /// What a report names as its origin.
 struct JobDigests {
     std::string job, scene;  ///< "sha256-<hex>"; may be empty
@@ -29,8 +37,8 @@ struct JobDigests {
                                                      const renderer::OutputSettings& output,
                                                      const JobDigests& digests);
 
-/// Every file of a render that has ended; without images when there is no picture. Completes the
-/// report: timings.output_s, image.
+/// Every file that is kept of a render that has ended; without images when there is no picture.
+/// Completes the report: timings.output_s, image.
 [[nodiscard]] Result<ResultFiles> result_files(const std::optional<renderer::Picture>& picture,
                                                renderer::Report& report,
                                                const renderer::OutputSettings& output,

@@ -3,22 +3,19 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <system_error>
+#include <vector>
 
 #include "server/file_descriptor.h"
 
 namespace bouguer::server {
 namespace {
-
-/// The stable name of a failure of the disk.
-const char* storage_code(const std::error_code& code) {
-    const bool is_full = code == std::errc::no_space_on_device ||
-                         code == std::error_condition(EDQUOT, std::generic_category());
-    return is_full ? "storage-full" : "storage-failed";
-}
 
 /// The error of the last system call. Names the file only by its last part: a client may read it.
 tl::unexpected<Error> system_error(const char* what, const std::filesystem::path& file) {
@@ -29,22 +26,50 @@ tl::unexpected<Error> system_error(const char* what, const std::filesystem::path
         storage_code(code));
 }
 
-Result<void> write_all(int fd, std::string_view bytes, const std::filesystem::path& file) {
-    while (!bytes.empty()) {
-        const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+/// Writes what stands in `rest`, and shortens it as it goes.
+Result<void> write_all(int fd, std::vector<iovec> rest, const std::filesystem::path& file) {
+    std::size_t at = 0;
+    while (at < rest.size()) {
+        const auto count = static_cast<int>(std::min<std::size_t>(rest.size() - at, IOV_MAX));
+        const ssize_t n = ::writev(fd, rest.data() + at, count);
         if (n < 0 && errno == EINTR) continue;
         if (n < 0) return system_error("write", file);
-        bytes.remove_prefix(static_cast<std::size_t>(n));
+        auto written = static_cast<std::size_t>(n);
+        for (; at < rest.size() && written >= rest[at].iov_len; ++at) written -= rest[at].iov_len;
+        if (at == rest.size()) break;
+        rest[at].iov_base = static_cast<char*>(rest[at].iov_base) + written;
+        rest[at].iov_len -= written;
     }
     return {};
 }
 
+/// What writev() takes; it only reads what the pointers lead to.
+std::vector<iovec> vectors_of(std::span<const std::string_view> pieces) {
+    std::vector<iovec> vectors;
+    for (const std::string_view piece : pieces) {
+        if (!piece.empty()) vectors.push_back({const_cast<char*>(piece.data()), piece.size()});
+    }
+    return vectors;
+}
+
 }  // namespace
 
+const char* storage_code(const std::error_code& code) {
+    const bool is_full = code == std::errc::no_space_on_device ||
+                         code == std::error_condition(EDQUOT, std::generic_category());
+    return is_full ? "storage-full" : "storage-failed";
+}
+
 Result<void> write_new_file(const std::filesystem::path& file, std::string_view bytes) {
+    return write_new_file(file, std::span(&bytes, 1));
+}
+
+Result<void> write_new_file(const std::filesystem::path& file,
+                            std::span<const std::string_view> pieces) {
     const FileDescriptor fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
     if (!fd) return system_error("make", file);
-    if (auto written = write_all(fd.get(), bytes, file); !written) return written;
+    auto written = write_all(fd.get(), vectors_of(pieces), file);
+    if (!written) return written;
     if (::fsync(fd.get()) != 0) return system_error("flush", file);
     return {};
 }
@@ -72,15 +97,24 @@ Result<void> replace_file(const std::filesystem::path& file, std::string_view by
     return sync_folder(file.has_parent_path() ? file.parent_path() : ".");
 }
 
-Result<std::string> read_file(const std::filesystem::path& file, std::size_t max_bytes) {
+Result<FileDescriptor> open_file(const std::filesystem::path& file) {
     // Without O_NONBLOCK the open of a pipe would wait for a writer.
-    const FileDescriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    FileDescriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (!fd) return system_error("open", file);
     struct stat info {};
     if (::fstat(fd.get(), &info) != 0) return system_error("read", file);
     if (!S_ISREG(info.st_mode)) {
         return fail(ErrorKind::NotFound, file.filename().string() + " is not a regular file");
     }
+    return fd;
+}
+
+Result<std::string> read_file(const std::filesystem::path& file, std::size_t max_bytes) {
+    const auto opened = open_file(file);
+    if (!opened) return tl::unexpected(opened.error());
+    const FileDescriptor& fd = *opened;
+    struct stat info {};
+    if (::fstat(fd.get(), &info) != 0) return system_error("read", file);
     if (static_cast<std::uint64_t>(info.st_size) > max_bytes) {
         return fail(ErrorKind::TooLarge, file.filename().string() + " is longer than " +
                                              std::to_string(max_bytes) + " bytes");

@@ -39,4 +39,11 @@ Result<void> MemoryResultStore::remove(const JobId& id) {
     return {};
 }
 
+Result<std::vector<JobId>> MemoryResultStore::jobs() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<JobId> ids;
+    for (const auto& [id, files] : jobs_) ids.push_back(id);
+    return ids;
+}
+
 }  // namespace bouguer::server

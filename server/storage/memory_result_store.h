@@ -15,6 +15,8 @@ class MemoryResultStore final : public ResultStore {
     [[nodiscard]] Result<StoredFile> get(const JobId& id, const std::string& name) const override;
     [[nodiscard]] Result<std::vector<std::string>> names(const JobId& id) const override;
     [[nodiscard]] Result<void> remove(const JobId& id) override;
+    [[nodiscard]] Result<std::vector<JobId>> jobs() const override;
+    [[nodiscard]] Result<void> set_aside(const JobId& id) override { return remove(id); }
 
   private:
     mutable std::mutex mutex_;

@@ -38,6 +38,10 @@ class ResultStore {
     [[nodiscard]] virtual Result<std::vector<std::string>> names(const JobId& id) const = 0;
     /// Removes all files of the job; nothing happens when there are none.
     [[nodiscard]] virtual Result<void> remove(const JobId& id) = 0;
+    /// Every job that has results, in no order.
+    [[nodiscard]] virtual Result<std::vector<JobId>> jobs() const = 0;
+    /// Keeps the results of a job that nobody knows where they are not taken for those of one.
+    [[nodiscard]] virtual Result<void> set_aside(const JobId& id) = 0;
 };
 
 /// Whether `name` can name a result: 1 to 64 of a-z 0-9 . - _, and no dot in front.

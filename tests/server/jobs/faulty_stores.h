@@ -78,6 +78,8 @@ class FaultyResultStore final : public ResultStore {
         return store_.names(id);
     }
     Result<void> remove(const JobId& id) override { return store_.remove(id); }
+    Result<std::vector<JobId>> jobs() const override { return store_.jobs(); }
+    Result<void> set_aside(const JobId& id) override { return store_.set_aside(id); }
 
   private:
     MemoryResultStore store_;

@@ -65,8 +65,18 @@ TYPED_TEST_P(ResultStoreContract, RefusesNamesThatLeaveTheFolder) {
     }
 }
 
+TYPED_TEST_P(ResultStoreContract, KnowsWhichJobsHaveResults) {
+    EXPECT_TRUE(this->store_->jobs()->empty());
+    ASSERT_TRUE(this->store_->put(kResultJob, {{"image.png", "a"}}));
+    EXPECT_EQ(this->store_->jobs().value(), std::vector<JobId>{kResultJob});
+    ASSERT_TRUE(this->store_->set_aside(kResultJob));
+    EXPECT_TRUE(this->store_->jobs()->empty());
+    EXPECT_FALSE(this->store_->get(kResultJob, "image.png"));
+}
+
 REGISTER_TYPED_TEST_SUITE_P(ResultStoreContract, GivesBackTheBytesAndTheirDigest,
                             KnowsNothingOfWhatWasNotStored, ASecondPutTakesThePlaceOfTheFirst,
-                            RemovesEverythingOfAJob, RefusesNamesThatLeaveTheFolder);
+                            RemovesEverythingOfAJob, RefusesNamesThatLeaveTheFolder,
+                            KnowsWhichJobsHaveResults);
 
 }  // namespace bouguer::server
