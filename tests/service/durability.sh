@@ -7,10 +7,11 @@
 . "$(dirname "$0")/daemon.sh"
 rounds=${2:-3}
 
-# Four kinds of job, so that what is queued, running and finished at a kill differs.
+# Four kinds of job, so that what is queued, running and finished at a kill differs. All are short: one that is killed three
+# times is taken for the cause and fails, and that is what crash_loop.sh is for.
 declare -A expected
 for kind in 1 2 3 4; do
-    small_job $((kind * kind * 8)) "$kind" 40 30 >"$work/job-$kind.json"
+    small_job $((kind * kind * 4)) "$kind" 40 30 >"$work/job-$kind.json"
     "$bouguer" render "$work/job-$kind.json" -o "$work/reference.exr" >/dev/null
     expected[$kind]=$(sha256sum <"$work/reference.exr")
 done
