@@ -19,6 +19,7 @@ build_packages=(
 test_packages=(
     libgtest-dev clang-format:clang-format shellcheck python3:python3 python3-venv nodejs:node npm:npm
     chromium:chromium
+    strace:strace e2fsprogs:mkfs.ext4 mount:mount util-linux:prlimit
 )
 
 is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
