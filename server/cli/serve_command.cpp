@@ -75,7 +75,9 @@ Result<void> serve(const ServeOptions& options, const ListenAddress& asked) {
     if (!daemon) return tl::unexpected(daemon.error());
     const ListenAddress address{asked.host, daemon->port()};
     const PortFile port_file(options.data / "port");
-    if (auto written = port_file.write(address.port); !written) return written;
+    if (auto written = port_file.write(address.port); !written) {
+        log_event(LogLevel::Warning, "port-file", {{"error", written.error().message}});
+    }
     const auto out = standard_output();
     announce(*out, address);
     stop.wait();

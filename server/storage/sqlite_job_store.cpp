@@ -5,7 +5,10 @@
 #include <sqlite3.h>
 
 #include <mutex>
+#include <optional>
+#include <utility>
 
+#include "server/storage/group_commit.h"
 #include "server/storage/sqlite_schema.h"
 
 namespace bouguer::server {
@@ -16,6 +19,7 @@ struct SqliteJobStore::Connection {
         : database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE) {}
     std::mutex mutex;
     SQLite::Database database;  // guarded by mutex
+    GroupCommit commits{database, mutex};
 };
 
 namespace {
@@ -37,6 +41,24 @@ auto guarded(Work&& work) -> decltype(work()) {
         return fail(ErrorKind::Internal, std::string("the job store failed: ") + e.what(),
                     is_full ? "storage-full" : "storage-failed");
     }
+}
+
+/// Runs `work` as a transaction, which is undone when it returns an error. When it `flushes`, it
+/// survives a power loss.
+template <class Work>
+auto write(GroupCommit& commits, Work&& work, bool flushes = true)
+    -> decltype(work(std::declval<SQLite::Database&>())) {
+    using Answer = decltype(work(std::declval<SQLite::Database&>()));
+    return guarded([&]() -> Answer {
+        std::optional<Answer> answer;
+        commits.run(
+            [&](SQLite::Database& database) {
+                answer = work(database);
+                return answer->has_value();
+            },
+            flushes);
+        return std::move(*answer);
+    });
 }
 
 JobState state_from(const std::string& name) {
@@ -204,25 +226,6 @@ void store_transition(SQLite::Database& db, const Job& job) {
     row.exec();
 }
 
-/// Commits without waiting for the disk, in a transaction begun and ended during its life: the end
-/// of the process does not undo it, a power loss may. What is committed later with a flush brings
-/// this along, since both are in the same log.
-class Unflushed {
-  public:
-    Unflushed(SQLite::Database& db, bool applies) : db_(db), applies_(applies) {
-        if (applies_) db_.exec("PRAGMA synchronous = NORMAL");
-    }
-    ~Unflushed() {
-        if (applies_) sqlite3_exec(db_.getHandle(), kFlushedCommits, nullptr, nullptr, nullptr);
-    }
-    Unflushed(const Unflushed&) = delete;
-    Unflushed& operator=(const Unflushed&) = delete;
-
-  private:
-    SQLite::Database& db_;
-    const bool applies_;
-};
-
 }  // namespace
 
 SqliteJobStore::SqliteJobStore(std::unique_ptr<Connection> connection)
@@ -241,17 +244,13 @@ Result<std::unique_ptr<SqliteJobStore>> SqliteJobStore::open(const std::filesyst
 }
 
 Result<InsertedJob> SqliteJobStore::insert(const Job& job, const IdempotencyKey& key) {
-    const std::lock_guard lock(connection_->mutex);
-    return guarded([&]() -> Result<InsertedJob> {
-        auto& db = connection_->database;
-        SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
+    return write(connection_->commits, [&](SQLite::Database& db) -> Result<InsertedJob> {
         auto before = known_key(db, key);
         if (!before) return tl::unexpected(before.error());
         if (*before) return **before;
         if (find_job(db, job.id)) return fail(ErrorKind::Conflict, "the job exists");
         insert_job(db, job);
         insert_key(db, key, job.id);
-        transaction.commit();
         InsertedJob stored{job, false};
         stored.job.request.clear();
         return stored;
@@ -305,33 +304,27 @@ Result<JobListing> SqliteJobStore::list(std::size_t limit, const std::string& cu
 }
 
 Result<Job> SqliteJobStore::transition(const JobId& id, const Transition& change) {
-    const std::lock_guard lock(connection_->mutex);
-    return guarded([&]() -> Result<Job> {
-        auto& db = connection_->database;
-        // A begin that a power loss undoes is a job that waits, which is begun again all the same.
-        const Unflushed unflushed(db, change.to == JobState::Running);
-        SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
+    // A begin that a power loss undoes is a job that waits, which is begun again all the same. The
+    // end of the process does not undo it, and what is flushed later is in the same log behind it.
+    const bool flushes = change.to != JobState::Running;
+    const auto work = [&](SQLite::Database& db) -> Result<Job> {
         auto job = find_job(db, id);
         if (!job) return no_such_job();
         if (auto done = apply_transition(*job, change); !done) return tl::unexpected(done.error());
         store_transition(db, *job);
-        transaction.commit();
         return std::move(*job);
-    });
+    };
+    return write(connection_->commits, work, flushes);
 }
 
 Result<void> SqliteJobStore::remove(const JobId& id) {
-    const std::lock_guard lock(connection_->mutex);
-    return guarded([&]() -> Result<void> {
-        auto& db = connection_->database;
-        SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
+    return write(connection_->commits, [&](SQLite::Database& db) -> Result<void> {
         SQLite::Statement row(db, "DELETE FROM jobs WHERE id = ?");
         row.bind(1, id);
         if (row.exec() == 0) return no_such_job();
         SQLite::Statement note(db, "INSERT INTO removed_jobs (job_id) VALUES (?)");
         note.bind(1, id);
         note.exec();
-        transaction.commit();
         return {};
     });
 }
@@ -357,9 +350,8 @@ Result<std::vector<JobId>> SqliteJobStore::removed() const {
 }
 
 Result<void> SqliteJobStore::forget_removed() {
-    const std::lock_guard lock(connection_->mutex);
-    return guarded([&]() -> Result<void> {
-        connection_->database.exec("DELETE FROM removed_jobs");
+    return write(connection_->commits, [&](SQLite::Database& db) -> Result<void> {
+        db.exec("DELETE FROM removed_jobs");
         return {};
     });
 }
@@ -378,10 +370,8 @@ Result<std::vector<std::pair<JobId, JobState>>> SqliteJobStore::states() const {
 }
 
 Result<void> SqliteJobStore::probe() {
-    const std::lock_guard lock(connection_->mutex);
-    return guarded([&]() -> Result<void> {
+    return write(connection_->commits, [&](SQLite::Database& db) -> Result<void> {
         // The same number again: SQLite does not look and writes the page, as for any transaction.
-        auto& db = connection_->database;
         const int version = db.execAndGet("PRAGMA user_version").getInt();
         db.exec("PRAGMA user_version = " + std::to_string(version));
         return {};

@@ -11,7 +11,9 @@ namespace bouguer::server {
 
 /// One connection reads, writes and checkpoints, under a mutex: SQLite before 3.51.3 can corrupt
 /// its log when several do. WAL with synchronous=FULL, so that a returned insert survives a power
-/// loss. The file is locked for as long as the store lives: a second process is refused.
+/// loss; writes of several threads share a
+/// transaction and its flush. The file is locked for as long as the store lives: a second process
+/// is refused.
 class SqliteJobStore final : public JobStore {
   public:
     /// Opens or makes the file, checks it (quick_check) and brings the schema up to date.

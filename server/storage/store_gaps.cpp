@@ -15,7 +15,9 @@ Result<void> finish_removals(JobStore& jobs, ResultStore& results) {
     for (const JobId& id : *removed) {
         if (auto gone = results.remove(id); !gone) return gone;
     }
-    return jobs.forget_removed();
+    // A disk that is full now does not keep the daemon from its work: next time, then.
+    (void)jobs.forget_removed();
+    return {};
 }
 
 std::string first_of(const std::vector<JobId>& ids) {

@@ -19,7 +19,7 @@ for kind in 1 2 3; do
     small_job $((kind * 4)) "$kind" 40 30 >"$work/job-$kind.json"
     "$bouguer" render "$work/job-$kind.json" -o "$work/reference-$kind.exr" >/dev/null
 done
-status_of() { curl -s -o "$work/answer" -w '%{http_code}' "$@"; }
+status_of() { curl -s -o "$work/answer" -w '%{http_code}' "$@" || true; }
 wait_for_readiness() {
     local status='' deadline=$((SECONDS + 60))
     while [ $SECONDS -lt $deadline ]; do
@@ -63,6 +63,26 @@ for job in "${jobs[@]}"; do
 done
 end_daemon TERM
 [ "$exit_code" -eq 0 ] || fail "exit code $exit_code after SIGTERM"
+
+# A start on a full disk serves what there is, and works when there is space again.
+start_daemon
+small_job 1000000 9 64 48 >"$work/endless.json"
+endless=$(submit "$work/endless.json")
+wait_for_state "$endless" running
+end_daemon KILL
+dd if=/dev/zero of="$work/data/filler" bs=1k 2>/dev/null || true
+port=${url##*:}
+"$bouguer" serve --listen "127.0.0.1:$port" --data "$work/data" --threads 2 >>"$work/out" 2>>"$work/log" &
+daemon=$!
+wait_for_readiness 503
+read -r kind id <<<"${jobs[0]}"
+curl -sf "$url/v1/jobs/$id/image.exr" | cmp -s - "$work/reference-$kind.exr" || fail "job $id cannot be read"
+rm "$work/data/filler"
+wait_for_readiness 200
+wait_for_state "$endless" running
+curl -sf -X POST "$url/v1/jobs/$endless/cancel" >/dev/null
+end_daemon TERM
+unset port
 
 # A folder that is taken away is noticed: what is written then is lost, however well it goes.
 start_daemon

@@ -2,8 +2,13 @@
 #include "server/storage/sqlite_job_store.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <sys/resource.h>
 
+#include <atomic>
+#include <csignal>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 #include "tests/server/storage/job_store_contract.h"
 #include "tests/server/storage/temporary_folder.h"
@@ -40,6 +45,53 @@ TEST_F(SqliteJobStoreTest, KeepsJobsAndKeysWhenItIsOpenedAgain) {
     EXPECT_EQ((*store)->find(job.id)->labels, job.labels);
     EXPECT_EQ((*store)->request(job.id).value(), job.request);
     EXPECT_TRUE((*store)->insert(make_job(2), {"key", "body"})->replayed);
+}
+
+// Writes of several threads share transactions: what one of them is refused does not touch the
+// rest.
+TEST_F(SqliteJobStoreTest, KeepsEveryWriteOfManyThreads) {
+    constexpr int kThreads = 8;
+    constexpr int kEach = 25;
+    {
+        auto store = SqliteJobStore::open(file_);
+        ASSERT_TRUE(store);
+        ASSERT_TRUE((*store)->insert(make_job(9999), {}));
+        std::atomic<int> refused = 0;
+        std::vector<std::jthread> threads;
+        for (int t = 0; t < kThreads; ++t) {
+            threads.emplace_back([&, t] {
+                for (int i = 0; i < kEach; ++i) {
+                    EXPECT_TRUE((*store)->insert(make_job(t * kEach + i), {}));
+                    if (!(*store)->insert(make_job(9999), {})) ++refused;
+                }
+            });
+        }
+        threads.clear();
+        EXPECT_EQ(refused, kThreads * kEach);
+    }
+    auto store = SqliteJobStore::open(file_);
+    ASSERT_TRUE(store);
+    EXPECT_EQ((*store)->states()->size(), 1U + kThreads * kEach);
+}
+
+// Files that may not grow stand in for a full disk: nothing is changed, and the same call goes well
+// later.
+TEST_F(SqliteJobStoreTest, AWriteThatFailsChangesNothing) {
+    auto store = SqliteJobStore::open(file_);
+    ASSERT_TRUE(store);
+    rlimit old{};
+    getrlimit(RLIMIT_FSIZE, &old);
+    const rlimit small{1, old.rlim_max};
+    std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &small);
+    const auto failed = (*store)->insert(make_job(1), {"key", "body"});
+    const auto probed = (*store)->probe();
+    setrlimit(RLIMIT_FSIZE, &old);
+    ASSERT_FALSE(failed);
+    EXPECT_TRUE(failed.error().code.starts_with("storage-")) << failed.error().code;
+    EXPECT_FALSE(probed) << "a probe must write";
+    EXPECT_FALSE((*store)->find(id_number(1)));
+    EXPECT_TRUE((*store)->insert(make_job(1), {"key", "body"}));
 }
 
 TEST_F(SqliteJobStoreTest, RefusesASecondOwner) {
