@@ -47,6 +47,11 @@ Result<void> check_memory(std::uint64_t needed, std::uint64_t limit) {
 /// Whether the same call may go well later: the storage is at fault and not what was asked.
 bool is_storage_fault(const Error& error) { return error.kind == ErrorKind::Internal; }
 
+/// Whether a job failed by that and not by its own fault.
+bool is_storage_code(const std::string& code) {
+    return code == "storage-full" || code == "storage-failed";
+}
+
 /// The end of a job whose begins ended with the process.
 Transition gave_up(JobState from) {
     return {from,
@@ -169,19 +174,19 @@ void JobManager::stop() {
     workers_->stop();
     watch_.stop();
     for (const JobId& id : unstored_.ids()) {
-        if (store_end(id, *unstored_.find(id))) forget(id);
+        (void)try_to_store(id, *unstored_.find(id));
         unstored_.erase(id);
     }
     const std::lock_guard lock(live_mutex_);
-    for (const auto& [id, task] : live_) hand_back(id);
+    // Conflict: it had not begun. A fault of the storage: the next process finds it running.
+    for (const auto& [id, task] : live_) (void)hand_back(id);
     live_.clear();
 }
 
-void JobManager::hand_back(const JobId& id) {
+Result<Job> JobManager::hand_back(const JobId& id) {
     Transition back{JobState::Running, JobState::Queued, unix_ms()};
     back.takes_begin_back = true;
-    // Conflict: it had not begun. A fault of the storage: the next process finds it running.
-    (void)change(id, back);
+    return change(id, back);
 }
 
 std::shared_ptr<RenderTask> JobManager::make_task(const Job& job) {
@@ -285,20 +290,33 @@ void JobManager::preview(const JobId& id, const JobProgress& progress) noexcept 
 
 void JobManager::end(const JobId& id, RenderOutcome outcome) noexcept {
     try {
-        store_or_keep(id, std::move(outcome));
+        // What could not be read from the storage can be read later: it is no fault of the job.
+        if (outcome.state == JobState::Failed && is_storage_code(outcome.failure_code)) {
+            outcome.state = JobState::Queued;
+        }
+        const auto kept = std::make_shared<const RenderOutcome>(std::move(outcome));
+        if (auto stored = try_to_store(id, *kept); !stored) {
+            unstored_.add(id, kept);
+            report_fault(stored.error());
+        }
     } catch (const std::exception& e) {
         log_event(LogLevel::Error, "job-end", {{"job_id", id}, {"error", e.what()}});
-        forget(id);
     }
 }
 
-void JobManager::store_or_keep(const JobId& id, RenderOutcome outcome) {
-    if (auto stored = store_end(id, outcome); !stored) {
-        unstored_.add(id, std::move(outcome));
-        report_fault(stored.error());
-    } else {
-        forget(id);
+Result<void> JobManager::try_to_store(const JobId& id, const RenderOutcome& outcome) {
+    try {
+        return outcome.state == JobState::Queued ? put_back(id) : store_end(id, outcome);
+    } catch (const std::exception& e) {  // memory: there may be more later
+        return fail(ErrorKind::Internal, e.what(), "storage-failed");
     }
+}
+
+Result<void> JobManager::put_back(const JobId& id) {
+    const auto queued = hand_back(id);
+    if (!queued && is_storage_fault(queued.error())) return tl::unexpected(queued.error());
+    remember(id, nullptr);  // catch_up() looks for it
+    return {};
 }
 
 Result<void> JobManager::store_end(const JobId& id, const RenderOutcome& outcome) {
@@ -318,6 +336,7 @@ Result<void> JobManager::store_end(const JobId& id, const RenderOutcome& outcome
     }
     const auto kept = jobs_.find(id);
     if (!kept && kept.error().kind == ErrorKind::NotFound) (void)results_.remove(id);
+    forget(id);
     return {};
 }
 
@@ -335,9 +354,8 @@ Result<void> JobManager::probe() {
 
 Result<void> JobManager::catch_up() {
     for (const JobId& id : unstored_.ids()) {
-        if (auto stored = store_end(id, *unstored_.find(id)); !stored) return stored;
+        if (auto stored = try_to_store(id, *unstored_.find(id)); !stored) return stored;
         unstored_.erase(id);
-        forget(id);
     }
     for (const JobId& id : without_task()) {
         if (auto resumed = resume(id); !resumed) return resumed;
@@ -441,7 +459,12 @@ Result<void> JobManager::remove(const JobId& id) {
     if (auto cancelled = cancel(id); !cancelled) return tl::unexpected(cancelled.error());
     if (auto removed = jobs_.remove(id); !removed) return removed;
     log_event(LogLevel::Info, "job-removed", {{"job_id", id}});
-    return results_.remove(id);
+    if (auto gone = results_.remove(id); !gone) {
+        // The next start does it: the store remembers what was removed.
+        log_event(LogLevel::Warning, "results-kept",
+                  {{"job_id", id}, {"error", gone.error().message}});
+    }
+    return {};
 }
 
 Result<ResultFile> JobManager::file(const JobId& id, const std::string& name) const {
@@ -455,7 +478,9 @@ Result<ResultFile> JobManager::file(const JobId& id, const std::string& name) co
         // Cancelled a moment ago: the newest pass is on its way to the store.
         if (stored || task == nullptr || stored.error().code != "no-result") return stored;
     }
-    if (const auto ended = unstored_.find(id)) return unstored_file(*ended, name, media_type);
+    if (const auto ended = unstored_.find(id); ended != nullptr && !ended->files.empty()) {
+        return unstored_file(*ended, name, media_type);
+    }
     if (task == nullptr) {
         return fail(ErrorKind::Conflict, "there is nothing of this job yet", "job-not-finished");
     }

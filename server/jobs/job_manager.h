@@ -91,10 +91,12 @@ class JobManager final : public JobService, private RenderListener {
     /// A job of the store that nobody renders: into the queue, or to its end if it has begun too
     /// often. Error: the storage failed.
     [[nodiscard]] Result<void> resume(const JobId& id);
+    /// What came of a job; of state Queued: nothing, it is to be rendered again. An error: the
+    /// storage failed, and the same is to be tried again.
+    [[nodiscard]] Result<void> try_to_store(const JobId& id, const RenderOutcome& outcome);
     [[nodiscard]] Result<void> store_end(const JobId& id, const RenderOutcome& outcome);
-    /// As store_end(), but keeps what the storage does not take.
-    void store_or_keep(const JobId& id, RenderOutcome outcome);
-    void hand_back(const JobId& id);
+    [[nodiscard]] Result<void> put_back(const JobId& id);
+    [[nodiscard]] Result<Job> hand_back(const JobId& id);
     /// Begins nothing more until everything is stored.
     void report_fault(const Error& error);
     [[nodiscard]] Result<void> probe();

@@ -42,7 +42,15 @@ void StorageWatch::report(const Error& error) {
 
 std::optional<Error> StorageWatch::error() const {
     const std::lock_guard lock(mutex_);
-    return error_;
+    if (error_ || !probing_since_ || Clock::now() - *probing_since_ < times_.longest_probe) {
+        return error_;
+    }
+    return Error{ErrorKind::Internal, "the storage does not answer", {}, "storage-failed"};
+}
+
+void StorageWatch::note_probing(std::optional<Clock::time_point> since) {
+    const std::lock_guard lock(mutex_);
+    probing_since_ = since;
 }
 
 bool StorageWatch::wait() {
@@ -57,11 +65,14 @@ bool StorageWatch::wait() {
     return !stopping_;
 }
 
-Result<void> StorageWatch::look() const {
+Result<void> StorageWatch::look() {
     try {
+        note_probing(Clock::now());
         auto probed = probe_();
+        note_probing({});
         return probed ? catch_up_() : probed;
     } catch (const std::exception& e) {  // memory
+        note_probing({});
         return fail(ErrorKind::Internal, e.what(), "storage-failed");
     }
 }

@@ -17,6 +17,7 @@ struct StorageWatchTimes {
     std::chrono::milliseconds between_probes{1'000};  ///< while all is well
     std::chrono::milliseconds first_retry{50};        ///< after a failure; doubles with every try
     std::chrono::milliseconds longest_retry{2'000};
+    std::chrono::milliseconds longest_probe{10'000};  ///< then the storage counts as failed
 };
 
 /// A thread that probes the storage and, when it works, has done what is left to do. A failure that
@@ -40,23 +41,27 @@ class StorageWatch {
 
     /// Something could not be stored.
     void report(const Error& error);
-    /// The newest error that holds; nothing when all is well.
+    /// The newest error that holds, or that a probe hangs; nothing when all is well.
     [[nodiscard]] std::optional<Error> error() const;
 
   private:
+    using Clock = std::chrono::steady_clock;
+
     void run();
     /// Sleeps until the next probe is due; false when the watch stops.
     [[nodiscard]] bool wait();
-    [[nodiscard]] Result<void> look() const;
+    [[nodiscard]] Result<void> look();
+    void note_probing(std::optional<Clock::time_point> since);
     void settle(const Result<void>& result, std::uint64_t reports_before);
 
     const Work probe_, catch_up_;
     const StorageWatchTimes times_;
     mutable std::mutex mutex_;
     std::condition_variable news_;
-    std::optional<Error> error_;          // guarded by mutex_, as all below
-    std::uint64_t reports_ = 0;           ///< calls of report()
-    std::chrono::milliseconds retry_{0};  ///< the next wait after a failure
+    std::optional<Error> error_;                      // guarded by mutex_, as all below
+    std::uint64_t reports_ = 0;                       ///< calls of report()
+    std::chrono::milliseconds retry_{0};              ///< the next wait after a failure
+    std::optional<Clock::time_point> probing_since_;  ///< empty: no probe is under way
     bool stopping_ = false;
     std::thread thread_;  // last: it uses all the others; used by start() and stop() only
 };

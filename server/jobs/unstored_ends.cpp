@@ -3,10 +3,9 @@
 
 namespace bouguer::server {
 
-void UnstoredEnds::add(const JobId& id, RenderOutcome outcome) {
-    auto shared = std::make_shared<const RenderOutcome>(std::move(outcome));
+void UnstoredEnds::add(const JobId& id, Outcome outcome) {
     const std::lock_guard lock(mutex_);
-    outcomes_[id] = std::move(shared);
+    outcomes_[id] = std::move(outcome);
 }
 
 void UnstoredEnds::erase(const JobId& id) {

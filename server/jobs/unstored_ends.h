@@ -18,7 +18,7 @@ class UnstoredEnds {
   public:
     using Outcome = std::shared_ptr<const RenderOutcome>;
 
-    void add(const JobId& id, RenderOutcome outcome);
+    void add(const JobId& id, Outcome outcome);
     void erase(const JobId& id);
     [[nodiscard]] std::vector<JobId> ids() const;       ///< oldest job first
     [[nodiscard]] Outcome find(const JobId& id) const;  ///< null: none

@@ -28,6 +28,7 @@ struct Fault {
 class FaultyJobStore final : public JobStore {
   public:
     Fault inserts, begins, ends, probes;
+    mutable Fault reads;  ///< of requests
 
     Result<InsertedJob> insert(const Job& job, const IdempotencyKey& key) override {
         if (inserts.strikes()) return inserts.error();
@@ -43,7 +44,10 @@ class FaultyJobStore final : public JobStore {
         return store_.probe();
     }
     Result<Job> find(const JobId& id) const override { return store_.find(id); }
-    Result<std::string> request(const JobId& id) const override { return store_.request(id); }
+    Result<std::string> request(const JobId& id) const override {
+        if (reads.strikes()) return reads.error();
+        return store_.request(id);
+    }
     Result<std::optional<InsertedJob>> find_key(const IdempotencyKey& key) const override {
         return store_.find_key(key);
     }

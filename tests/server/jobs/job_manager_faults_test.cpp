@@ -2,7 +2,9 @@
 // What the jobs do while the storage fails: wait and are stored when it is well again.
 #include <gtest/gtest.h>
 
+#include <future>
 #include <thread>
+#include <utility>
 
 #include "server/jobs/job_manager.h"
 #include "server/log.h"
@@ -112,6 +114,35 @@ TEST_F(JobManagerFaults, AJobThatCannotBeMarkedAsBegunWaitsAndIsRendered) {
     jobs_.begins.is_on = false;
     wait_for(id, JobState::Done);
     EXPECT_EQ(manager_->find(id)->job.attempts, 1U);
+}
+
+// As when there are no descriptors left: the job is not at fault, and waits.
+TEST_F(JobManagerFaults, AJobWhoseRequestCannotBeReadWaitsAndIsRendered) {
+    jobs_.reads.is_on = true;
+    const JobId id = submit();
+    wait_until([&] { return jobs_.reads.refused > 3; });
+    EXPECT_FALSE(is_final(state_of(id)));
+    jobs_.reads.is_on = false;
+    wait_for(id, JobState::Done);
+    EXPECT_EQ(manager_->find(id)->job.attempts, 1U)
+        << "the begins that came to nothing do not count";
+}
+
+TEST_F(JobManagerFaults, AStorageThatDoesNotAnswerIsNotReady) {
+    std::promise<void> answer;
+    std::promise<void> asked;
+    StorageWatch watch(
+        [&, answered = answer.get_future().share(), first = true]() mutable -> Result<void> {
+            if (std::exchange(first, false)) asked.set_value();
+            answered.wait();
+            return {};
+        },
+        []() -> Result<void> { return {}; }, {1ms, 1ms, 1ms, 1ms});
+    watch.start();
+    asked.get_future().wait();
+    wait_until([&] { return watch.error().has_value(); });
+    answer.set_value();
+    wait_until([&] { return !watch.error().has_value(); });
 }
 
 // One call in so many fails, as with a disk that is about to die: whatever was accepted ends.
