@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "api/digest.h"
+#include "api/document_assets.h"
 
 namespace bouguer::api {
 namespace {
@@ -61,6 +62,7 @@ std::optional<NamedAsset> require_asset(JsonReader& reader, const Limits& limits
 void report_asset(const NamedAsset& asset, const Error& error, std::string_view code,
                   std::string_view allowed) {
     const JsonValue& at = asset.at;
+    if (error.code == DocumentAssets::kNotRead) return;
     if (error.kind == ErrorKind::NotFound && is_digest(asset.name)) {
         at.report("missing-asset", "no asset of this digest has been uploaded",
                   "the digest of a file that was put at /v1/assets/" + asset.name);
@@ -74,7 +76,9 @@ void report_asset(const NamedAsset& asset, const Error& error, std::string_view 
         at.report(error.code.empty() ? code : error.code, error.message, std::string(allowed));
     }
     // The file's own pointers lead nowhere in this document, so all point to its name.
-    for (const Problem& problem : error.problems) at.report(code, problem.detail, problem.allowed);
+    for (const Problem& problem : error.problems) {
+        at.report(problem.code.empty() ? code : problem.code, problem.detail, problem.allowed);
+    }
 }
 
 }  // namespace bouguer::api

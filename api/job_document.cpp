@@ -92,6 +92,9 @@ Result<JobRequest> read_request(std::string_view text, const Limits& limits,
     const auto read = is_scene ? &read_job_around : &read_job;
     JobRequest job;
     read(JsonValue(document, "", problems), context, job);
+    if (problems.empty() && document_assets.is_over_limit()) {  // in a place that nothing reads
+        problems.add({"", "over-limit", "the files of this document are too large", {}, {}});
+    }
     if (!problems.empty()) {
         return tl::unexpected(std::move(problems).to_error(ErrorKind::InvalidInput));
     }
@@ -111,6 +114,12 @@ Result<JobRequest> parse(std::string_view text, const Limits& limits, const Asse
 }
 
 }  // namespace
+
+Result<std::string> AssetSource::read(std::string_view name) const {
+    const auto file = open(name);
+    if (!file) return tl::unexpected(file.error());
+    return (*file)->read(0, (*file)->size());
+}
 
 Result<JobRequest> parse_job(std::string_view text, const Limits& limits,
                              const AssetSource& assets) {

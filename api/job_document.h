@@ -4,10 +4,12 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "api/limits.h"
+#include "renderer/core/byte_source.h"
 #include "renderer/core/result.h"
 #include "renderer/render.h"
 #include "renderer/settings.h"
@@ -20,9 +22,12 @@ namespace bouguer::api {
 class AssetSource {
   public:
     virtual ~AssetSource() = default;
-    /// The bytes of the file `name`: a path (relative, no "..") or a digest ("sha256-<hex>").
-    /// NotFound; TooLarge.
-    [[nodiscard]] virtual Result<std::string> read(std::string_view name) const = 0;
+    /// The file `name`, of which nothing is read yet: a path (relative, no "..") or a digest
+    /// ("sha256-<hex>"). NotFound; TooLarge.
+    [[nodiscard]] virtual Result<std::unique_ptr<const renderer::ByteSource>> open(
+        std::string_view name) const = 0;
+    /// All its bytes.
+    [[nodiscard]] Result<std::string> read(std::string_view name) const;
 };
 
 /// A job, read and checked.

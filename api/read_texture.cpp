@@ -59,7 +59,6 @@ Enum choice(JsonReader& reader, std::string_view key, const std::array<std::stri
 /// wrap.
 std::optional<ReadTexture> read_image(JsonReader& reader, TextureKindContext& with) {
     using renderer::ColourEncoding;
-    const Limits& limits = with.context.limits;
     const auto mapping = read_mapping(reader);
     const auto filter =
         choice(reader, "filter", renderer::kTextureFilterNames, renderer::TextureFilter::Bilinear);
@@ -68,24 +67,15 @@ std::optional<ReadTexture> read_image(JsonReader& reader, TextureKindContext& wi
     const auto encoding_at = reader.find("color_space");
     const auto encoding =
         choice(reader, "color_space", renderer::kColourEncodingNames, ColourEncoding::Srgb);
-    const auto asset = require_asset(reader, limits);
+    const auto asset = require_asset(reader, with.context.limits);
     if (!asset) return std::nullopt;
 
-    const auto image = with.context.assets.image(asset->name, limits.texture_pixels);
+    const auto image = with.context.assets.image(asset->name);
     if (!image) {
         report_asset(*asset, image.error(), "bad-image",
                      "a PNG, JPEG or EXR file of finite numbers >= 0");
         return std::nullopt;
     }
-    const auto pixels =
-        static_cast<std::size_t>((*image)->width) * static_cast<std::size_t>((*image)->height);
-    if (pixels > with.pixels_left) {
-        asset->at.report("over-limit", "the scene's textures have too many pixels",
-                         "at most " + std::to_string(limits.scene_texture_pixels) +
-                             " pixels in all image textures");
-        return std::nullopt;
-    }
-    with.pixels_left -= pixels;
     const auto texture = renderer::image_texture(
         *image, {encoding_at ? encoding : renderer::usual_encoding((*image)->format), filter, wrap,
                  mapping});

@@ -23,7 +23,6 @@ struct ReadTexture {
 struct TextureKindContext {
     SpectrumReader& spectra;
     const ReadContext& context;
-    std::size_t pixels_left;  ///< of all image textures of the scene
 };
 
 /// The texture at `value`. Empty after a report.

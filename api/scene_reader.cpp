@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/ambient_reader.h"
+#include "api/asset_survey.h"
 #include "api/camera_reader.h"
 #include "api/light_reader.h"
 #include "api/material_reader.h"
@@ -92,6 +93,7 @@ renderer::SceneDescription read_scene(const JsonValue& value, const ReadContext&
     renderer::SceneDescription scene;
     JsonReader reader(value);
     if (!reader.is_object() || !read_format(reader, kSceneFormat)) return scene;
+    survey_assets(value.json(), context);
     if (const auto name = reader.find("name")) {
         scene.name = name->text(limits.name_bytes).value_or("");
     }

@@ -27,7 +27,7 @@ bool is_factor(const JsonValue& name, const ReadTexture& texture) {
 
 TextureReader::TextureReader(std::optional<JsonValue> definitions, SpectrumReader& spectra,
                              const ReadContext& context)
-    : kinds_{spectra, context, context.limits.scene_texture_pixels} {
+    : kinds_{spectra, context} {
     if (!definitions) return;
     if (!definitions->json().is_object()) {
         definitions->report_type("an object of textures by name");

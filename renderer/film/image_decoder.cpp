@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "renderer/film/image_header.h"
 #include "renderer/film/image_library.h"
 
 namespace bouguer::renderer {
@@ -45,14 +46,10 @@ bool are_channels_known(const OIIO::ImageSpec& spec) {
 
 Result<void> check_header(const OIIO::ImageSpec& spec, std::size_t max_pixels) {
     if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1) return refuse("the image is empty");
-    const auto pixels =
-        static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-    if (pixels > max_pixels) {
-        return fail(ErrorKind::InvalidInput,
-                    "the image has " + std::to_string(spec.width) + " x " +
-                        std::to_string(spec.height) + " pixels, more than " +
-                        std::to_string(max_pixels),
-                    "over-limit");
+    if (auto fits = check_pixels(static_cast<std::uint64_t>(spec.width),
+                                 static_cast<std::uint64_t>(spec.height), max_pixels);
+        !fits) {
+        return fits;
     }
     if (spec.deep) return refuse("the image has samples in depth, which are not read");
     if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
@@ -115,7 +112,7 @@ std::vector<float> DecodedImage::values() const {
 Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_pixels) {
     set_up_image_library();
     const Format* format = find_format(bytes);
-    if (format == nullptr) return refuse("neither a PNG nor a JPEG nor an EXR file");
+    if (format == nullptr) return refuse(kUnknownImageFormat);
 
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
     OIIO::Filesystem::IOProxy* proxy = &memory;
@@ -125,7 +122,7 @@ Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_pixels
     const auto in = OIIO::ImageInput::open(format->file_name, &wishes, &memory);
     if (!in) {
         static_cast<void>(OIIO::geterror());  // taken, so that it does not wait for the next caller
-        return refuse("the image cannot be read: its header is damaged");
+        return refuse(kDamagedImageHeader);
     }
     in->threads(1);
     const OIIO::ImageSpec& spec = in->spec();

@@ -15,6 +15,11 @@ namespace bouguer::renderer {
 
 enum class ImageFormat : std::uint8_t { Png, Jpeg, Exr };
 
+/// Why a file is refused by its first bytes.
+inline constexpr const char* kUnknownImageFormat = "neither a PNG nor a JPEG nor an EXR file";
+inline constexpr const char* kDamagedImageHeader =
+    "the image cannot be read: its header is damaged";
+
 /// Told by the first bytes; empty when it is none of them.
 [[nodiscard]] std::optional<ImageFormat> image_format_of(std::string_view bytes);
 

@@ -88,8 +88,7 @@ Result<std::shared_ptr<const TriangleMesh>> checked_mesh(TriangleMesh mesh,
 Result<std::shared_ptr<const TriangleMesh>> read_mesh(std::string_view bytes,
                                                       const MeshLimits& limits) {
     try {
-        const bool is_ply = bytes.substr(0, 3) == "ply" && bytes.size() > 3 && is_space(bytes[3]);
-        auto mesh = is_ply ? read_ply(bytes, limits) : read_obj(bytes, limits);
+        auto mesh = is_ply(bytes) ? read_ply(bytes, limits) : read_obj(bytes, limits);
         if (!mesh) return tl::unexpected<Error>(std::move(mesh.error()));
         return checked_mesh(std::move(*mesh), limits);
     } catch (const std::bad_alloc&) {

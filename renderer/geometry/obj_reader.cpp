@@ -21,6 +21,15 @@ constexpr std::array<std::string_view, 14> kIgnored{
     "g", "o", "s",   "mtllib",     "usemtl",    "usemap",   "maplib",
     "l", "p", "lod", "shadow_obj", "trace_obj", "c_interp", "d_interp"};
 
+constexpr std::array<std::string_view, 4> kRead{"v", "vt", "vn", "f"};
+
+bool is_keyword(std::string_view word) {
+    const auto is_in = [&](const auto& words) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    return is_in(kRead) || is_in(kIgnored);
+}
+
 /// A corner of a face: indices into positions, texture coordinates and normals.
 struct Corner {
     std::uint32_t v = kNone, vt = kNone, vn = kNone;
@@ -38,6 +47,7 @@ class ObjReader {
           max_triangles_(limits.max_triangles) {}
 
     Result<TriangleMesh> read(std::string_view bytes) {
+        if (!may_be_obj(bytes)) return refuse_mesh("", kNoMeshFile);
         WordScanner lines(bytes);
         for (;;) {
             line_ = lines.line_number();
@@ -47,7 +57,7 @@ class ObjReader {
                 return tl::unexpected<Error>(std::move(read.error()));
             }
         }
-        if (corners_.empty()) return refuse_mesh("", "not a PLY file, nor an OBJ file with faces");
+        if (corners_.empty()) return refuse_mesh("", kNoMeshFile);
         return finish();
     }
 
@@ -62,7 +72,7 @@ class ObjReader {
         if (keyword == "vt") return vertex(words, uvs_, 1, 3);
         if (keyword == "f") return face(words);
         if (std::find(kIgnored.begin(), kIgnored.end(), keyword) != kIgnored.end()) return {};
-        return refuse("unknown statement " + quoted(keyword));
+        return refuse("unknown statement");  // untold: the file may be none of ours
     }
 
     /// Numbers up to the end of the line: at least `least` of them and at most `most`, of which the
@@ -170,6 +180,22 @@ class ObjReader {
 };
 
 }  // namespace
+
+bool may_be_obj(std::string_view first_bytes) {
+    if (first_bytes.find('\0') != std::string_view::npos) return false;
+    const std::string_view space = " \t\r\v\f";
+    while (!first_bytes.empty()) {
+        std::string_view line = first_bytes.substr(0, first_bytes.find('\n'));
+        const bool is_cut = line.size() == first_bytes.size();
+        first_bytes.remove_prefix(std::min(line.size() + 1, first_bytes.size()));
+        line = line.substr(0, line.find('#'));
+        const std::size_t begin = line.find_first_not_of(space);
+        if (begin == std::string_view::npos) continue;
+        const std::string_view word = line.substr(begin, line.find_first_of(space, begin) - begin);
+        return is_keyword(word) || (is_cut && word.size() == line.size() - begin);
+    }
+    return true;
+}
 
 Result<TriangleMesh> read_obj(std::string_view bytes, const MeshLimits& limits) {
     return ObjReader(limits).read(bytes);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "renderer/geometry/mesh_text.h"
@@ -40,7 +41,8 @@ std::optional<PlyType> type_named(std::string_view name) {
 
 class HeaderReader {
   public:
-    explicit HeaderReader(std::string_view bytes) : lines_(bytes) {}
+    HeaderReader(std::string_view bytes, std::uint64_t file_bytes)
+        : lines_(bytes), beyond_(file_bytes - std::min<std::uint64_t>(file_bytes, bytes.size())) {}
 
     Result<PlyHeader> read() {
         lines_.line();  // "ply", which brought us here
@@ -145,7 +147,7 @@ class HeaderReader {
     /// The least that the elements take, against what there is. A value in text takes a digit and a
     /// space, a list in any format at least its length.
     Result<PlyHeader> check_room() {
-        std::uint64_t room = header_.body.size() + 1;
+        std::uint64_t room = header_.body.size() + beyond_ + 1;
         for (const PlyElement& element : header_.elements) {
             if (element.count == 0) continue;
             if (element.properties.empty()) {
@@ -170,6 +172,7 @@ class HeaderReader {
     }
 
     WordScanner lines_;
+    std::uint64_t beyond_;  ///< bytes of the file that are not here
     std::uint64_t line_ = 1;
     PlyHeader header_;
 };
@@ -188,6 +191,26 @@ std::optional<std::size_t> PlyElement::scalar(std::string_view property) const {
     return std::nullopt;
 }
 
-Result<PlyHeader> read_ply_header(std::string_view bytes) { return HeaderReader(bytes).read(); }
+Result<PlyHeader> read_ply_header(std::string_view bytes, std::uint64_t file_bytes) {
+    return HeaderReader(bytes, file_bytes).read();
+}
+
+std::uint64_t count_of(const PlyHeader& header, std::string_view element) {
+    for (const PlyElement& one : header.elements) {
+        if (one.name == element) return one.count;
+    }
+    return 0;
+}
+
+Result<void> check_ply_counts(const PlyHeader& header, const MeshLimits& limits) {
+    if (count_of(header, "face") > limits.max_triangles) {
+        return refuse_mesh("element \"face\"", "more triangles than allowed");
+    }
+    const std::uint64_t vertices = count_of(header, "vertex");
+    if (vertices > limits.max_vertices || vertices > std::numeric_limits<std::uint32_t>::max()) {
+        return refuse_mesh("element \"vertex\"", "more vertices than allowed");
+    }
+    return {};
+}
 
 }  // namespace bouguer::renderer

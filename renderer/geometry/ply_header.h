@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/core/result.h"
+#include "renderer/geometry/mesh_file.h"
 
 namespace bouguer::renderer {
 
@@ -41,8 +42,15 @@ struct PlyHeader {
     std::uint64_t body_line = 1;  ///< the number of its first line
 };
 
-/// Error{InvalidInput} names the line. Every element has properties, and no more elements than the
-/// body has room for: each takes at least a byte.
-[[nodiscard]] Result<PlyHeader> read_ply_header(std::string_view bytes);
+/// The header in the first `bytes` of a file of `file_bytes`. Error{InvalidInput} names the line.
+/// Every element has properties, and no more elements than the body has room for: each takes at
+/// least a byte.
+[[nodiscard]] Result<PlyHeader> read_ply_header(std::string_view bytes, std::uint64_t file_bytes);
+
+/// The number of elements of that name; 0 when there are none.
+[[nodiscard]] std::uint64_t count_of(const PlyHeader& header, std::string_view element);
+
+/// That there are no more vertices and faces than allowed. Error{InvalidInput}.
+[[nodiscard]] Result<void> check_ply_counts(const PlyHeader& header, const MeshLimits& limits);
 
 }  // namespace bouguer::renderer

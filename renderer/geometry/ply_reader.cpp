@@ -158,15 +158,9 @@ class BodyReader {
             } else if (element.name == "face") {
                 has_faces =
                     std::any_of(element.properties.begin(), element.properties.end(), is_face_list);
-                if (element.count > limits_.max_triangles) {
-                    return refuse_mesh("element \"face\"", "more triangles than allowed");
-                }
             }
         }
-        if (num_vertices_ > limits_.max_vertices ||
-            num_vertices_ > std::numeric_limits<std::uint32_t>::max()) {
-            return refuse_mesh("element \"vertex\"", "more vertices than allowed");
-        }
+        if (auto few = check_ply_counts(header_, limits_); !few) return few;
         if (num_vertices_ == 0) return refuse_mesh("", "no vertices");
         if (!has_faces) return refuse_mesh("", "no faces with a list \"vertex_indices\"");
         return {};
@@ -273,7 +267,7 @@ class BodyReader {
 }  // namespace
 
 Result<TriangleMesh> read_ply(std::string_view bytes, const MeshLimits& limits) {
-    const auto header = read_ply_header(bytes);
+    const auto header = read_ply_header(bytes, bytes.size());
     if (!header) return tl::unexpected<Error>(header.error());
     switch (header->format) {
         case PlyFormat::LittleEndian:

@@ -2,15 +2,12 @@
 #include "server/jobs/memory_estimate.h"
 
 #include "renderer/film/film.h"
+#include "renderer/geometry/mesh_size.h"
 #include "renderer/materials/material_textures.h"
 
 namespace bouguer::server {
 namespace {
 
-// A triangle: its indices and its share of Embree's tree (with ROBUST about 100 to 180 bytes). A
-// vertex: position, normal and uv in double, and Embree's single-precision copy.
-constexpr std::uint64_t kTriangleBytes = 200;
-constexpr std::uint64_t kVertexBytes = 80;
 constexpr std::uint64_t kInstanceBytes = 1024;
 constexpr std::uint64_t kFixedBytes = 1U << 20U;
 /// The newest picture and the one before it, what the encoders of PNG and EXR make of it, and the
@@ -35,8 +32,8 @@ std::uint64_t scene_memory_bytes(const renderer::SceneDescription& scene) {
         const auto* mesh =
             std::get_if<std::shared_ptr<const renderer::TriangleMesh>>(&object.placed.shape);
         if (mesh == nullptr || *mesh == nullptr) continue;
-        bytes += (*mesh)->triangles.size() * kTriangleBytes;
-        bytes += (*mesh)->positions.size() * kVertexBytes;
+        bytes +=
+            renderer::MeshSize{(*mesh)->positions.size(), (*mesh)->triangles.size()}.memory_bytes();
     }
     return bytes;
 }

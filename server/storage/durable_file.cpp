@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <climits>
+#include <memory>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "server/file_descriptor.h"
@@ -109,27 +111,22 @@ Result<FileDescriptor> open_file(const std::filesystem::path& file) {
     return fd;
 }
 
-Result<std::string> read_file(const std::filesystem::path& file, std::size_t max_bytes) {
-    const auto opened = open_file(file);
-    if (!opened) return tl::unexpected(opened.error());
-    const FileDescriptor& fd = *opened;
+Result<Content> open_content(const std::filesystem::path& file, std::size_t max_bytes) {
+    auto fd = open_file(file);
+    if (!fd) return tl::unexpected(fd.error());
     struct stat info {};
-    if (::fstat(fd.get(), &info) != 0) return system_error("read", file);
+    if (::fstat(fd->get(), &info) != 0) return system_error("read", file);
     if (static_cast<std::uint64_t>(info.st_size) > max_bytes) {
         return fail(ErrorKind::TooLarge, file.filename().string() + " is longer than " +
                                              std::to_string(max_bytes) + " bytes");
     }
-    std::string bytes(static_cast<std::size_t>(info.st_size), '\0');
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t n = ::read(fd.get(), bytes.data() + done, bytes.size() - done);
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return system_error("read", file);
-        if (n == 0) break;
-        done += static_cast<std::size_t>(n);
-    }
-    bytes.resize(done);
-    return bytes;
+    return Content(std::make_shared<const FileDescriptor>(*std::move(fd)), 0,
+                   static_cast<std::size_t>(info.st_size));
+}
+
+Result<std::string> read_file(const std::filesystem::path& file, std::size_t max_bytes) {
+    const auto opened = open_content(file, max_bytes);
+    return opened ? opened->all() : tl::unexpected(opened.error());
 }
 
 }  // namespace bouguer::server

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "renderer/core/result.h"
+#include "server/content.h"
 #include "server/file_descriptor.h"
 
 namespace bouguer::server {
@@ -32,6 +33,11 @@ namespace bouguer::server {
 
 /// "storage-full" or "storage-failed": the stable name of a failure of the disk.
 [[nodiscard]] const char* storage_code(const std::error_code& code);
+
+/// A regular file that is at most `max_bytes` long, of which nothing is read yet. NotFound;
+/// TooLarge; Internal.
+[[nodiscard]] Result<Content> open_content(const std::filesystem::path& file,
+                                           std::size_t max_bytes);
 
 /// All bytes of a regular file that is at most `max_bytes` long. NotFound; TooLarge; Internal.
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& file,

@@ -2,6 +2,7 @@
 #include "server/storage/folder_asset_source.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "api/digest.h"
 #include "server/storage/durable_file.h"
@@ -27,6 +28,22 @@ bool contains(const fs::path& root, const fs::path& path) {
     return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
 }
 
+class OpenFile final : public renderer::ByteSource {
+  public:
+    explicit OpenFile(Content content) : content_(std::move(content)) {}
+    [[nodiscard]] std::uint64_t size() const override { return content_.size(); }
+    [[nodiscard]] Result<std::string> read(std::uint64_t offset, std::size_t count) const override {
+        std::string bytes;
+        if (auto got = content_.read(offset, count, bytes); !got) {
+            return tl::unexpected(std::move(got).error());
+        }
+        return bytes;
+    }
+
+  private:
+    Content content_;
+};
+
 }  // namespace
 
 Result<fs::path> FolderAssetSource::resolve(std::string_view name) const {
@@ -45,10 +62,13 @@ Result<fs::path> FolderAssetSource::resolve(std::string_view name) const {
     return file;
 }
 
-Result<std::string> FolderAssetSource::read(std::string_view name) const {
-    auto file = resolve(name);
+Result<std::unique_ptr<const renderer::ByteSource>> FolderAssetSource::open(
+    std::string_view name) const {
+    const auto file = resolve(name);
     if (!file) return tl::unexpected(file.error());
-    return read_file(*file, max_file_bytes_);
+    auto content = open_content(*file, max_file_bytes_);
+    if (!content) return tl::unexpected(std::move(content).error());
+    return std::make_unique<const OpenFile>(*std::move(content));
 }
 
 }  // namespace bouguer::server

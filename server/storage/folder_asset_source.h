@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 
 #include "api/job_document.h"
 
@@ -25,7 +26,8 @@ class FolderAssetSource final : public api::AssetSource {
         : root_(std::move(root)), uploads_(std::move(uploads)), max_file_bytes_(kMaxFileBytes) {}
 
     /// NotFound: no such file, or not inside. TooLarge. InvalidInput: a bad name.
-    [[nodiscard]] Result<std::string> read(std::string_view name) const override;
+    [[nodiscard]] Result<std::unique_ptr<const renderer::ByteSource>> open(
+        std::string_view name) const override;
 
   private:
     [[nodiscard]] Result<std::filesystem::path> resolve(std::string_view name) const;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "api/job_document.h"
+#include "tests/support/named_bytes.h"
 #include "tests/support/source_folder.h"
 
 namespace bouguer::api {
@@ -21,10 +22,10 @@ std::string text_of(const fs::path& path) {
 }
 
 /// The files beside a scene.
-class FolderAssets final : public AssetSource {
+class FolderAssets final : public tests::NamedBytes {
   public:
     explicit FolderAssets(fs::path folder) : folder_(std::move(folder)) {}
-    [[nodiscard]] Result<std::string> read(std::string_view name) const override {
+    [[nodiscard]] Result<std::string> bytes(std::string_view name) const override {
         if (!fs::exists(folder_ / name)) return fail(ErrorKind::NotFound, "no such file");
         return text_of(folder_ / name);
     }

@@ -4,16 +4,16 @@
 #include <string>
 #include <string_view>
 
-#include "api/job_document.h"
+#include "tests/support/named_bytes.h"
 
 namespace bouguer::tests {
 
 /// Has a mesh, "triangle.ply"; pictures, "grey.png" and, with numbers up to 2, "hot.exr"; what is
 /// neither, "noise.ply"; a file on a broken disk, "broken.ply"; and, as the only digest, that of 64
 /// zeros, which is not what its content has.
-class FakeAssets final : public api::AssetSource {
+class FakeAssets final : public NamedBytes {
   public:
-    [[nodiscard]] Result<std::string> read(std::string_view name) const override {
+    [[nodiscard]] Result<std::string> bytes(std::string_view name) const override {
         const std::string zeros = "sha256-" + std::string(64, '0');
         if (name == "triangle.ply" || name == zeros) {
             return std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -10,6 +10,7 @@
 #include "renderer/spectrum/spectra.h"
 #include "tests/api/fake_assets.h"
 #include "tests/api/malformed_documents.h"
+#include "tests/support/named_bytes.h"
 
 namespace bouguer::api {
 namespace {
@@ -220,11 +221,11 @@ TEST(JobDocument, RefusesABodyOverTheLimitBeforeReadingIt) {
     EXPECT_EQ(job.error().kind, ErrorKind::TooLarge);
 }
 
-class CountingAssets final : public AssetSource {
+class CountingAssets final : public tests::NamedBytes {
   public:
-    [[nodiscard]] Result<std::string> read(std::string_view name) const override {
+    [[nodiscard]] Result<std::string> bytes(std::string_view name) const override {
         ++calls;
-        return tests::FakeAssets{}.read(name);
+        return tests::FakeAssets{}.bytes(name);
     }
     mutable int calls = 0;
 };
@@ -243,17 +244,17 @@ TEST(JobDocument, ReadsAFileOnce) {
             objects + "]}",
         Limits{}, assets);
     ASSERT_TRUE(job) << messages(job);
-    EXPECT_EQ(assets.calls, 1);
+    EXPECT_EQ(assets.calls, 2);  // its first bytes, then all of them
     using Mesh = std::shared_ptr<const renderer::TriangleMesh>;
     EXPECT_EQ(std::get<Mesh>(job->scene.objects[0].placed.shape),
               std::get<Mesh>(job->scene.objects[49].placed.shape));
 }
 
 /// One file, whatever its name.
-class OneFile final : public AssetSource {
+class OneFile final : public tests::NamedBytes {
   public:
     explicit OneFile(std::string bytes) : bytes_(std::move(bytes)) {}
-    [[nodiscard]] Result<std::string> read(std::string_view /*name*/) const override {
+    [[nodiscard]] Result<std::string> bytes(std::string_view /*name*/) const override {
         return bytes_;
     }
 

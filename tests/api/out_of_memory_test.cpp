@@ -14,6 +14,7 @@
 #include "api/writers.h"
 #include "tests/api/fake_assets.h"
 #include "tests/api/malformed_documents.h"
+#include "tests/support/named_bytes.h"
 
 namespace {
 
@@ -48,14 +49,14 @@ namespace {
 
 /// The meshes of FakeAssets. No pictures: the library that decodes them does not live through every
 /// allocation of its own that fails.
-class Meshes final : public AssetSource {
+class Meshes final : public tests::NamedBytes {
   public:
     Meshes() {
         for (const char* name : {"triangle.ply", "noise.ply"}) {
-            files_[name] = tests::FakeAssets{}.read(name).value();
+            files_[name] = tests::FakeAssets{}.bytes(name).value();
         }
     }
-    [[nodiscard]] Result<std::string> read(std::string_view name) const override {
+    [[nodiscard]] Result<std::string> bytes(std::string_view name) const override {
         const auto file = files_.find(name);
         if (file == files_.end()) return fail(ErrorKind::NotFound, "no such file");
         return file->second;

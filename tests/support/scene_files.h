@@ -9,6 +9,7 @@
 #include <string>
 
 #include "api/job_document.h"
+#include "tests/support/named_bytes.h"
 
 namespace bouguer::test {
 
@@ -21,10 +22,10 @@ inline std::string read_file(const std::filesystem::path& path) {
 }
 
 /// The files of one folder. For tests: names are trusted.
-class FolderAssets final : public api::AssetSource {
+class FolderAssets final : public NamedBytes {
   public:
     explicit FolderAssets(std::filesystem::path root) : root_(std::move(root)) {}
-    [[nodiscard]] Result<std::string> read(std::string_view name) const override {
+    [[nodiscard]] Result<std::string> bytes(std::string_view name) const override {
         return read_file(root_ / name);
     }
 

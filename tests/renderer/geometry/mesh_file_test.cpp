@@ -176,12 +176,12 @@ std::vector<Malformed> malformed_files() {
     return {
         {"nothing", "", "not a PLY file"},
         {"only the magic", "ply", "line 1"},
-        {"prose", "a mesh, they said", "line 1"},
+        {"prose", "a mesh, they said", "not a PLY file, nor an OBJ file"},
         {"binary rubbish",
          std::string("\x7f"
                      "ELF\0\1\2",
                      7),
-         "line 1"},
+         "not a PLY file, nor an OBJ file"},
         {"no end of the header", "ply\nformat ascii 1.0\n", "line 3: the header does not end"},
         {"no format", ply(kVertex + kFace, kCorner + "3 0 1 2"), "no format"},
         {"unknown format", ply("format ascii2 1.0\n"), "line 2: unknown format"},

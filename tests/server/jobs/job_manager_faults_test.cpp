@@ -10,18 +10,12 @@
 #include "server/log.h"
 #include "tests/server/jobs/faulty_stores.h"
 #include "tests/server/jobs/small_job.h"
+#include "tests/support/named_bytes.h"
 
 namespace bouguer::server {
 namespace {
 
 using namespace std::chrono_literals;
-
-class NoAssets final : public api::AssetSource {
-  public:
-    Result<std::string> read(std::string_view) const override {
-        return fail(ErrorKind::NotFound, "there are no files here");
-    }
-};
 
 class JobManagerFaults : public testing::Test {
   protected:
@@ -64,7 +58,7 @@ class JobManagerFaults : public testing::Test {
     FaultyJobStore jobs_;
     FaultyResultStore results_;
     Fault place_;
-    NoAssets assets_;
+    tests::NoAssets assets_;
     std::unique_ptr<JobManager> manager_;
 };
 

@@ -10,18 +10,12 @@
 #include "server/storage/memory_job_store.h"
 #include "server/storage/memory_result_store.h"
 #include "tests/server/jobs/small_job.h"
+#include "tests/support/named_bytes.h"
 
 namespace bouguer::server {
 namespace {
 
 using namespace std::chrono_literals;
-
-class NoAssets final : public api::AssetSource {
-  public:
-    Result<std::string> read(std::string_view) const override {
-        return fail(ErrorKind::NotFound, "there are no files here");
-    }
-};
 
 class JobManagerTest : public testing::Test {
   protected:
@@ -58,7 +52,7 @@ class JobManagerTest : public testing::Test {
 
     MemoryJobStore jobs_;
     MemoryResultStore results_;
-    NoAssets assets_;
+    tests::NoAssets assets_;
 };
 
 TEST_F(JobManagerTest, RendersWhatIsSubmitted) {
@@ -423,7 +417,7 @@ TEST_F(JobManagerTest, HasTheFileOfAJobThatEndsWhileItIsAskedFor) {
 JobId add_crashed(JobStore& jobs, const std::string& body, int crashes, int number = 1) {
     Job job;
     job.id = "01890a5d-ac96-774b-bcce-00000000000" + std::to_string(number);
-    const auto request = api::parse_job(body, {}, NoAssets());
+    const auto request = api::parse_job(body, {}, tests::NoAssets());
     job.request = request->canonical;
     job.digest = request->digest;
     job.scene_digest = request->scene_digest;

@@ -14,6 +14,7 @@
 #include "server/storage/memory_result_store.h"
 #include "tests/server/jobs/fake_render.h"
 #include "tests/server/jobs/small_job.h"
+#include "tests/support/named_bytes.h"
 
 namespace bouguer::server {
 namespace {
@@ -24,13 +25,6 @@ constexpr int kWorkers = 16;
 constexpr int kClients = 6;
 constexpr int kJobsPerClient = 500;   // 3,000 in all
 constexpr int kTasksPerClient = 200;  // 1,200 in all: they meet more often
-
-class NoAssets final : public api::AssetSource {
-  public:
-    Result<std::string> read(std::string_view) const override {
-        return fail(ErrorKind::NotFound, "there are no files here");
-    }
-};
 
 /// Runs `body(client)` on so many threads and waits for them.
 void on_clients(const std::function<void(int)>& body) {
@@ -114,7 +108,7 @@ TEST(JobStress, ThousandsOfTinyJobsEndAsTheyShould) {
     set_log_level(LogLevel::Error);
     MemoryJobStore jobs;
     MemoryResultStore results;
-    const NoAssets assets;
+    const tests::NoAssets assets;
     JobManager manager(jobs, results, assets,
                        {.threads = kWorkers, .scheduler = {.tasks = kClients * kJobsPerClient}});
     ASSERT_TRUE(manager.start());

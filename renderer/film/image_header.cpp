@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/film/image_header.h"
+
+#include <array>
+#include <cstring>
+#include <optional>
+#include <string>
+
+namespace bouguer::renderer {
+namespace {
+
+constexpr std::uint64_t kLargestSide = (1ULL << 31U) - 1;
+/// Segments or attributes that are passed over at most: each is a read.
+constexpr int kMostParts = 4096;
+
+/// Walks over a file. What is not there is read as zeros and remembered.
+class Cursor {
+  public:
+    explicit Cursor(const ByteSource& file) : file_(file) {}
+
+    [[nodiscard]] bool failed() const { return failed_ || error_; }
+    [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+    void skip(std::uint64_t count) { at_ += count; }
+
+    std::uint8_t byte() {
+        if (at_ < begin_ || at_ - begin_ >= window_.size()) load();
+        if (failed()) return 0;
+        return static_cast<std::uint8_t>(window_[static_cast<std::size_t>(at_++ - begin_)]);
+    }
+    std::uint64_t big_endian(int bytes) {
+        std::uint64_t value = 0;
+        for (int i = 0; i < bytes; ++i) value = value << 8U | byte();
+        return value;
+    }
+    std::uint32_t little_endian() {
+        std::uint32_t value = 0;
+        for (unsigned i = 0; i < 4; ++i) value |= std::uint32_t{byte()} << 8 * i;
+        return value;
+    }
+    /// Up to a NUL; EXR's names have at most 255 bytes.
+    std::string name() {
+        std::string text;
+        for (char c = 0; text.size() < 256 && (c = static_cast<char>(byte())) != 0;) text += c;
+        failed_ = failed_ || text.size() > 255;
+        return text;
+    }
+
+  private:
+    void load() {
+        constexpr std::size_t kWindow = 4096;
+        auto read = file_.read(at_, kWindow);
+        if (!read) {
+            error_ = std::move(read).error();
+            return;
+        }
+        begin_ = at_;
+        window_ = *std::move(read);
+        failed_ = failed_ || window_.empty();
+    }
+
+    const ByteSource& file_;
+    std::uint64_t at_ = 0, begin_ = 0;
+    std::string window_;
+    bool failed_ = false;
+    std::optional<Error> error_;
+};
+
+/// IHDR is the first chunk: length, type, width, height, depth, colour type.
+bool read_png(Cursor& file, ImageHeader& header) {
+    file.skip(8 + 4);
+    if (file.big_endian(4) != 0x49484452) return false;  // "IHDR"
+    header.width = file.big_endian(4);
+    header.height = file.big_endian(4);
+    header.sample_bytes = file.byte() == 16 ? 2 : 1;
+    // grey, -, RGB, palette, grey and alpha, -, RGBA; a palette may have alpha, of which we know
+    // later
+    constexpr std::array<std::uint8_t, 7> kChannels{1, 0, 3, 3, 2, 0, 4};
+    const std::uint8_t colour = file.byte();
+    header.channels = colour < kChannels.size() ? kChannels[colour] : 0;
+    return header.channels > 0;
+}
+
+/// The next marker; bytes that belong to nothing are passed over, as the library does.
+std::uint8_t next_marker(Cursor& file) {
+    for (int i = 0; i < kMostParts && file.byte() != 0xff;) ++i;
+    std::uint8_t marker = 0xff;
+    while (marker == 0xff && !file.failed()) marker = file.byte();
+    return marker;
+}
+
+/// The first frame header SOFn; segments before it are passed over.
+bool read_jpeg(Cursor& file, ImageHeader& header) {
+    file.skip(2);
+    for (int i = 0; i < kMostParts && !file.failed(); ++i) {
+        const std::uint8_t marker = next_marker(file);
+        if (marker == 0x01 || (marker >= 0xd0 && marker <= 0xd7)) continue;  // TEM, RSTn: alone
+        if (marker == 0xd9 || marker == 0xda || marker == 0) return false;   // EOI, SOS
+        const std::uint64_t length = file.big_endian(2);
+        const bool is_frame =
+            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+        if (is_frame) {
+            header.sample_bytes = file.byte() > 8 ? 2 : 1;
+            header.height = file.big_endian(2);
+            header.width = file.big_endian(2);
+            header.channels = file.byte();
+            return true;
+        }
+        if (length < 2) return false;
+        file.skip(length - 2);
+    }
+    return false;
+}
+
+/// Names of channels up to an empty one, each with 16 bytes of its own.
+int count_channels(Cursor& file) {
+    int channels = 0;
+    while (channels < 1024 && !file.name().empty()) {
+        file.skip(16);
+        ++channels;
+    }
+    return channels;
+}
+
+/// Attributes (name, type, size, value) up to the data window and the channels.
+bool read_exr(Cursor& file, ImageHeader& header) {
+    file.skip(8);
+    header.sample_bytes = 4;  // numbers of 16 bits too are read as floats
+    bool has_window = false;
+    for (int i = 0; i < kMostParts && !file.failed(); ++i) {
+        const std::string name = file.name();
+        if (name.empty()) return false;  // the header ends
+        static_cast<void>(file.name());  // its type
+        const std::uint32_t size = file.little_endian();
+        if (name == "channels") {
+            Cursor inside = file;
+            header.channels = count_channels(inside);
+        } else if (name == "dataWindow") {
+            Cursor inside = file;
+            std::array<std::int64_t, 4> box{};  // x and y of its first and of its last pixel
+            for (std::int64_t& side : box) side = static_cast<std::int32_t>(inside.little_endian());
+            if (inside.failed() || box[2] < box[0] || box[3] < box[1]) return false;
+            header.width = static_cast<std::uint64_t>(box[2] - box[0]) + 1;
+            header.height = static_cast<std::uint64_t>(box[3] - box[1]) + 1;
+            has_window = true;
+        }
+        if (has_window && header.channels > 0) return true;
+        file.skip(size);
+    }
+    return false;
+}
+
+tl::unexpected<Error> refuse(const char* reason) {
+    return fail(ErrorKind::InvalidInput, reason, "bad-image");
+}
+
+}  // namespace
+
+Result<ImageHeader> read_image_header(const ByteSource& file) {
+    const auto first = file.read(0, 16);
+    if (!first) return tl::unexpected(first.error());
+    const auto format = image_format_of(*first);
+    if (!format) return refuse(kUnknownImageFormat);
+    ImageHeader header;
+    header.format = *format;
+    Cursor cursor(file);
+    const auto read = *format == ImageFormat::Png    ? &read_png
+                      : *format == ImageFormat::Jpeg ? &read_jpeg
+                                                     : &read_exr;
+    const bool is_good = read(cursor, header) && !cursor.failed();
+    if (cursor.error()) return tl::unexpected(*cursor.error());
+    if (!is_good || header.width > kLargestSide || header.height > kLargestSide)
+        return refuse(kDamagedImageHeader);
+    return header;
+}
+
+Result<void> check_pixels(std::uint64_t width, std::uint64_t height, std::uint64_t max_pixels) {
+    if (width * height <= max_pixels) return {};
+    return fail(ErrorKind::InvalidInput,
+                "the image has " + std::to_string(width) + " x " + std::to_string(height) +
+                    " pixels, more than " + std::to_string(max_pixels),
+                "over-limit");
+}
+
+}  // namespace bouguer::renderer

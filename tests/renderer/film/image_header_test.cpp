@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/film/image_header.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/render.h"
+#include "tests/support/jpeg_files.h"
+#include "tests/support/logged_source.h"
+#include "tests/support/png_writer.h"
+
+namespace bouguer::renderer {
+namespace {
+
+/// The header says of a file what decoding it finds.
+void expect_as_decoded(const std::string& bytes) {
+    const auto header = read_image_header(MemorySource(bytes));
+    const auto image = decode_image(bytes);
+    ASSERT_TRUE(header) << header.error().message;
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_EQ(header->format, image->format);
+    EXPECT_EQ(header->width, static_cast<std::uint64_t>(image->width));
+    EXPECT_EQ(header->height, static_cast<std::uint64_t>(image->height));
+    EXPECT_EQ(header->channels, image->channels);
+    const std::uint64_t decoded = std::visit(
+        [](const auto& samples) { return samples.size() * sizeof(samples[0]); }, image->samples);
+    EXPECT_EQ(header->decoded_bytes(), decoded);
+}
+
+TEST(ImageHeader, SaysWhatDecodingFinds) {
+    expect_as_decoded(tests::png_of(2, 1, 3, 8, {0, 128, 255, 1, 2, 3}));
+    expect_as_decoded(tests::png_of(1, 2, 1, 16, {1, 65535}));
+    expect_as_decoded(tests::png_of(1, 1, 2, 8, {200, 128}));
+    expect_as_decoded(tests::png_of(1, 1, 4, 8, {200, 1, 2, 128}));
+    expect_as_decoded(tests::rgb_jpeg());
+    const auto exr = encode_exr({3, 2, std::vector<float>(18, 0.5F)}, {});
+    ASSERT_TRUE(exr);
+    expect_as_decoded(*exr);
+}
+
+std::string code_of(const std::string& bytes) {
+    const auto header = read_image_header(MemorySource(bytes));
+    return header ? "" : header.error().code;
+}
+
+// However it is cut: no header or the right one.
+TEST(ImageHeader, LivesThroughFilesCutAnywhere) {
+    const auto exr = encode_exr({3, 2, std::vector<float>(18, 0.5F)}, {});
+    for (const std::string& whole :
+         {tests::png_of(2, 1, 3, 8, {0, 128, 255, 1, 2, 3}), tests::rgb_jpeg(), *exr}) {
+        const auto expected = read_image_header(MemorySource(whole));
+        for (std::size_t length = 0; length < whole.size(); ++length) {
+            const auto header = read_image_header(MemorySource(whole.substr(0, length)));
+            if (!header) {
+                EXPECT_EQ(header.error().code, "bad-image");
+            } else {
+                EXPECT_EQ(header->pixels(), expected->pixels());
+            }
+        }
+    }
+}
+
+TEST(ImageHeader, RefusesWhatIsNone) {
+    EXPECT_EQ(code_of(""), "bad-image");
+    EXPECT_EQ(code_of("v 0 0 0\n"), "bad-image");
+    EXPECT_EQ(code_of("\x89PNG\r\n\x1a\n"), "bad-image");
+    EXPECT_EQ(code_of(std::string("\xff\xd8\xff") + std::string(100'000, 'x')), "bad-image");
+}
+
+// What stands before the header is passed over and not read.
+TEST(ImageHeader, ReadsLittleOfALargeFile) {
+    std::string png("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x10\0\0\0\x08\0\x10\x06\0\0\0", 29);
+    std::uint64_t bytes_read = 0;
+    const auto header =
+        read_image_header(tests::LoggedSource(png, std::uint64_t{1} << 40U, bytes_read));
+    ASSERT_TRUE(header);
+    EXPECT_EQ(header->width, 4096U);
+    EXPECT_EQ(header->height, 2048U);
+    EXPECT_EQ(header->decoded_bytes(), 4096ULL * 2048 * 4 * 2);
+    EXPECT_LE(bytes_read, 8192U);
+
+    std::string jpeg("\xff\xd8");
+    for (int i = 0; i < 20; ++i) {
+        jpeg += std::string("\xff\xe2\xff\xff", 4);
+        jpeg.append(0xffff - 2, 'x');
+    }
+    jpeg += std::string("\xff\xc0\0\x11\x08\0\x40\0\x80\x03", 10);
+    bytes_read = 0;
+    const auto frame = read_image_header(tests::LoggedSource(jpeg, jpeg.size(), bytes_read));
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->pixels(), 64U * 128);
+    EXPECT_LE(bytes_read, 22U * 4096);
+}
+
+}  // namespace
+}  // namespace bouguer::renderer
