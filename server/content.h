@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "renderer/core/result.h"
 #include "server/file_descriptor.h"
@@ -28,6 +29,11 @@ class Content {
     /// Bytes of memory that this one keeps occupied; nearly nothing when they are in a file.
     [[nodiscard]] std::size_t memory_bytes() const { return memory_ ? memory_->size() : 0; }
     [[nodiscard]] bool is_in_memory() const { return file_ == nullptr; }
+
+    /// The bytes, as long as this content or a copy lives, if they are in memory; else nothing.
+    [[nodiscard]] std::string_view view() const {
+        return memory_ ? std::string_view(*memory_).substr(begin_, size_) : std::string_view();
+    }
 
     /// Appends the bytes [offset, offset + n), as many of them as there are, to `to`. May wait for
     /// the disk. Error{Internal}, code "file-failed": they cannot be read or are no longer there.

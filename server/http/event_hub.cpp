@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <new>
 
 namespace bouguer::server {
 namespace {
@@ -35,10 +36,10 @@ EventHub::~EventHub() {
     thread_.join();
 }
 
-void EventHub::adopt(FileDescriptor fd, ConnectionSlot slot, std::unique_ptr<Exchange> exchange) {
-    auto out = exchange->answer;
+void EventHub::adopt(FileDescriptor fd, Place place, std::unique_ptr<Exchange> exchange) {
+    auto out = std::move(exchange->answer);
     mail_->post({next_id_++, std::make_unique<Stream>(Stream{.fd = std::move(fd),
-                                                             .slot = std::move(slot),
+                                                             .place = std::move(place),
                                                              .exchange = std::move(exchange),
                                                              .out = std::move(out),
                                                              .last_sent = Clock::now()})});
@@ -61,10 +62,11 @@ void EventHub::run() {
         std::array<epoll_event, 256> events{};
         const int n = ::epoll_wait(epoll_.get(), events.data(), events.size(), timeout_ms());
         for (int i = 0; i < n; ++i) {
-            if (events[i].data.u64 == kMailId) {
+            const std::uint64_t id = events[i].data.u64;
+            if (id == kMailId) {
                 read_mail();
             } else {
-                on_socket(events[i].data.u64, events[i].events);
+                guarded(id, [&] { on_socket(id, events[i].events); });
             }
         }
         if (closing_ ||
@@ -78,12 +80,22 @@ void EventHub::run() {
 
 void EventHub::read_mail() {
     for (Message& message : mail_->take()) {
-        if (message.stream) {
-            add(message.id, std::move(message.stream));
-        } else if (const auto it = streams_.find(message.id); it != streams_.end()) {
+        guarded(message.id, [&] {
+            if (message.stream) add(message.id, std::move(message.stream));
+            const auto it = streams_.find(message.id);
+            if (it == streams_.end()) return;
             pump(*it->second);
             if (it->second->dead) drop(it);
-        }
+        });
+    }
+}
+
+template <class Step>
+void EventHub::guarded(std::uint64_t id, Step step) {
+    try {
+        step();
+    } catch (const std::bad_alloc&) {
+        if (const auto it = streams_.find(id); it != streams_.end()) drop(it);
     }
 }
 
@@ -96,9 +108,7 @@ void EventHub::add(std::uint64_t id, std::unique_ptr<Stream> stream) {
     count_ = streams_.size();
     EventInbox& inbox = *it->second->exchange->stream->inbox;
     // the mailbox is shared with the listener: it may outlive the hub by a call
-    inbox.on_push([mail = mail_, id] { mail->post({id, nullptr}); });
-    pump(*it->second);
-    if (it->second->dead) drop(it);
+    inbox.on_push([mail = mail_, id] { mail->try_post({id, nullptr}); });
 }
 
 void EventHub::on_socket(std::uint64_t id, std::uint32_t events) {
@@ -123,7 +133,7 @@ void EventHub::pump(Stream& stream) {
     stream.out += taken.text;
     if (taken.pending) some_pending_ = true;
     send_some(stream);
-    if (taken.overflow || stream.out.size() > limits_.event_buffer_bytes) {
+    if (taken.overflow || stream.out.size() > allowance()) {
         stream.exchange->error = "slow event reader dropped";
         stream.dead = true;
     }
@@ -131,6 +141,11 @@ void EventHub::pump(Stream& stream) {
         ::shutdown(stream.fd.get(), SHUT_WR);
         stream.dead = true;
     }
+}
+
+std::size_t EventHub::allowance() const {
+    return std::min(limits_.event_buffer_bytes,
+                    limits_.event_bytes / std::max<std::size_t>(streams_.size(), 1));
 }
 
 void EventHub::send_some(Stream& stream) {
@@ -154,11 +169,26 @@ void EventHub::sweep() {
     const auto now = Clock::now();
     for (auto it = streams_.begin(); it != streams_.end();) {
         Stream& stream = *it->second;
-        if (stream.out.empty() && now - stream.last_sent >= deadlines_.heartbeat) {
-            stream.out = ":\n\n";
+        try {
+            if (stream.out.empty() && now - stream.last_sent >= deadlines_.heartbeat) {
+                stream.out = ":\n\n";
+            }
+            pump(stream);
+        } catch (const std::bad_alloc&) {
+            stream.dead = true;
         }
-        pump(stream);
         it = stream.dead ? drop(it) : std::next(it);
+    }
+}
+
+void EventHub::log(const Stream& stream) const {
+    if (!log_) return;
+    try {
+        AccessRecord record = access_record(*stream.exchange);
+        record.bytes = stream.sent_bytes;
+        log_(record);
+    } catch (const std::bad_alloc&) {
+        // goes unsaid
     }
 }
 
@@ -166,11 +196,7 @@ EventHub::Streams::iterator EventHub::drop(Streams::iterator it) {
     Stream& stream = *it->second;
     // ends the subscription: no listener of this stream runs any more
     stream.exchange->stream->subscription.reset();
-    if (log_) {
-        AccessRecord record = access_record(*stream.exchange);
-        record.bytes = stream.sent_bytes;
-        log_(record);
-    }
+    log(stream);
     const auto next = streams_.erase(it);
     count_ = streams_.size();
     return next;

@@ -7,7 +7,8 @@
 #include <thread>
 #include <unordered_map>
 
-#include "server/http/connection.h"
+#include "server/http/admission.h"
+#include "server/http/exchange.h"
 #include "server/http/mailbox.h"
 
 namespace bouguer::server {
@@ -21,7 +22,7 @@ class EventHub {
 
     /// Takes over a client's socket. `exchange` has a stream; its answer, the head, is sent first.
     /// From any thread.
-    void adopt(FileDescriptor fd, ConnectionSlot slot, std::unique_ptr<Exchange> exchange);
+    void adopt(FileDescriptor fd, Place place, std::unique_ptr<Exchange> exchange);
 
     /// Ends every stream, and every one that comes later, after what is buffered. From any thread.
     void close_all();
@@ -31,7 +32,7 @@ class EventHub {
   private:
     struct Stream {
         FileDescriptor fd;
-        ConnectionSlot slot;
+        Place place;
         std::unique_ptr<Exchange> exchange;
         std::string out;  ///< received from the inbox and not yet sent
         std::uint64_t sent_bytes = 0, received_bytes = 0;
@@ -52,8 +53,14 @@ class EventHub {
     void sweep();
     /// Moves events from the inbox to the socket; marks the stream dead when it is over.
     void pump(Stream& stream);
+    /// The most that a stream may leave unsent: less where there are many.
+    [[nodiscard]] std::size_t allowance() const;
     void send_some(Stream& stream);
     Streams::iterator drop(Streams::iterator it);
+    /// Does what concerns one stream; when memory runs out there, the stream is gone.
+    template <class Step>
+    void guarded(std::uint64_t id, Step step);
+    void log(const Stream& stream) const;
     [[nodiscard]] int timeout_ms() const;
 
     const HttpLimits limits_;

@@ -36,6 +36,7 @@ struct Exchange {
     RequestHead head;
     std::string body;
     std::string client;      ///< numeric address of the peer
+    std::string client_key;  ///< whose share it counts to: client_key() of that
     std::string request_id;  ///< the client's own, if it is a short token, or ours
     Clock::time_point arrived;
     bool close = false;          ///< the connection ends with this answer

@@ -22,17 +22,18 @@ namespace bouguer::server {
 class HttpServer::Impl {
   public:
     Impl(JobService& jobs, AssetStore& assets, const HttpOptions& options, const AccessLog& log,
-         Listener listener)
+         FrontListeners listeners, const ConnectionPlan& plan)
         : deadlines_(options.deadlines),
           router_(make_router(jobs, assets, options, images_)),
           hub_(options, log),
-          front_(std::move(listener), options,
+          front_(std::move(listeners), options, plan,
                  {.handle = [this](Exchange& exchange) { router_->handle(exchange); },
                   .answer_health = [&jobs](Exchange& e) { return answer_health(jobs, e); },
                   .hub = &hub_,
                   .log = log}) {}
 
     [[nodiscard]] int port() const { return front_.port(); }
+    [[nodiscard]] int health_port() const { return front_.health_port(); }
     [[nodiscard]] std::size_t connections() const { return front_.connections(); }
 
     void drain() {
@@ -72,13 +73,21 @@ HttpServer::~HttpServer() = default;
 
 Result<std::unique_ptr<HttpServer>> HttpServer::start(JobService& jobs, AssetStore& assets,
                                                       HttpOptions options, AccessLog log) {
-    auto listener = Listener::open(options.host, options.port);
-    if (!listener) return tl::unexpected(listener.error());
-    return std::unique_ptr<HttpServer>(
-        new HttpServer(std::make_unique<Impl>(jobs, assets, options, log, std::move(*listener))));
+    auto all = Listener::open(options.host, options.port);
+    if (!all) return tl::unexpected(all.error());
+    FrontListeners listeners{std::move(*all), std::nullopt};
+    if (options.health) {
+        auto health = Listener::open(options.health->host, options.health->port);
+        if (!health) return tl::unexpected(health.error());
+        listeners.health = std::move(*health);
+    }
+    const ConnectionPlan plan = plan_connections(options, descriptor_limit());
+    return std::unique_ptr<HttpServer>(new HttpServer(
+        std::make_unique<Impl>(jobs, assets, options, log, std::move(listeners), plan)));
 }
 
 int HttpServer::port() const { return impl_->port(); }
+int HttpServer::health_port() const { return impl_->health_port(); }
 std::size_t HttpServer::connections() const { return impl_->connections(); }
 void HttpServer::drain() { impl_->drain(); }
 

@@ -27,6 +27,8 @@ class HttpServer {
 
     /// The port that was bound.
     [[nodiscard]] int port() const;
+    /// That of the listener for health; 0: there is none.
+    [[nodiscard]] int health_port() const;
     /// Connections that are open now, event streams included.
     [[nodiscard]] std::size_t connections() const;
 

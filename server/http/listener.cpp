@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "server/http/listener.h"
 
-#include <fcntl.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -16,6 +15,9 @@ namespace bouguer::server {
 namespace {
 
 constexpr int kBacklog = 1024;
+// Of an answer no more than this waits in the kernel to be sent: what is said to be held in windows
+// would else be held once more there.
+constexpr int kUnsentBytes = 128 << 10;
 constexpr unsigned kPeerSilence_ms = 30'000;  // unacknowledged data for that long: the peer is gone
 
 using AddressList = std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)>;
@@ -78,28 +80,23 @@ Result<Listener> Listener::open(const std::string& host, int port) {
         return fail(ErrorKind::Internal, "cannot listen on " + where + ": " + std::strerror(errno));
     }
     listener.port_ = bound_port(listener.socket_.get());
-    listener.spare_ = FileDescriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC));
     return listener;
 }
 
-void Listener::turn_away() {
-    spare_.reset();
-    const FileDescriptor unlucky(::accept4(socket_.get(), nullptr, nullptr, SOCK_CLOEXEC));
-    spare_ = FileDescriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC));
-}
-
-std::optional<Accepted> Listener::accept() {
+tl::expected<Accepted, NoClient> Listener::accept() {
     sockaddr_storage address{};
     socklen_t size = sizeof address;
     FileDescriptor fd(::accept4(socket_.get(), reinterpret_cast<sockaddr*>(&address), &size,
                                 SOCK_CLOEXEC | SOCK_NONBLOCK));
     if (!fd) {
+        const bool is_ours =
+            errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM;
         // whatever else went wrong belongs to that one client and is no reason to stop
-        if (errno == EMFILE || errno == ENFILE) turn_away();
-        return std::nullopt;
+        return tl::unexpected(is_ours ? NoClient::OutOfResources : NoClient::NoneWaits);
     }
     set_option(fd.get(), IPPROTO_TCP, TCP_NODELAY, 1);
     set_option(fd.get(), IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(kPeerSilence_ms));
+    set_option(fd.get(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, kUnsentBytes);
     return Accepted{std::move(fd), numeric_address(address, size)};
 }
 

@@ -2,7 +2,6 @@
 // The listening socket.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "renderer/core/result.h"
@@ -16,24 +15,25 @@ struct Accepted {
     std::string client;
 };
 
+/// Why there is no client.
+enum class NoClient {
+    NoneWaits,      ///< or the one that waited has gone
+    OutOfResources  ///< of descriptors or memory: the client waits on, until there are some again
+};
+
 class Listener {
   public:
     /// Binds `host` (name or numeric address) and `port` (0: any free one). A second daemon on the
     /// same port is refused. Error{Internal} with the system's reason.
     [[nodiscard]] static Result<Listener> open(const std::string& host, int port);
 
-    /// The next client; empty when none waits. Out of descriptors, the client is turned away and
-    /// the listener lives on.
-    [[nodiscard]] std::optional<Accepted> accept();
+    [[nodiscard]] tl::expected<Accepted, NoClient> accept();
 
     [[nodiscard]] int fd() const { return socket_.get(); }
     [[nodiscard]] int port() const { return port_; }
 
   private:
-    void turn_away();
-
     FileDescriptor socket_;
-    FileDescriptor spare_;  ///< given up for a moment to turn a client away
     int port_ = 0;
 };
 

@@ -4,8 +4,11 @@
 
 #include <sys/eventfd.h>
 
+#include <chrono>
 #include <cstdint>
 #include <mutex>
+#include <new>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -27,6 +30,30 @@ class Mailbox {
             messages_.push_back(std::move(message));
         }
         if (was_empty) signal();
+    }
+
+    /// For what must arrive: out of memory it waits until there is some again.
+    void post_surely(Message message) noexcept {
+        for (;;) {
+            try {
+                const std::lock_guard lock(mutex_);
+                messages_.emplace_back();
+                messages_.back() = std::move(message);
+                break;
+            } catch (const std::bad_alloc&) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            }
+        }
+        signal();
+    }
+
+    /// For a hint that the owner can do without: out of memory it is lost.
+    void try_post(Message message) noexcept {
+        try {
+            post(std::move(message));
+        } catch (const std::bad_alloc&) {
+            signal();
+        }
     }
 
     /// Wakes the owner without a message.

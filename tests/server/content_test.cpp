@@ -4,20 +4,12 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
+#include "tests/server/unnamed_file.h"
 
 namespace bouguer::server {
 namespace {
 
-/// An unnamed file of these bytes.
-Content::File file_of(const std::string& bytes) {
-    std::FILE* stream = std::tmpfile();
-    EXPECT_EQ(std::fwrite(bytes.data(), 1, bytes.size(), stream), bytes.size());
-    EXPECT_EQ(std::fflush(stream), 0);
-    auto file = std::make_shared<const FileDescriptor>(::dup(::fileno(stream)));
-    std::fclose(stream);
-    return file;
-}
+using testing::unnamed_file;
 
 TEST(Content, HasNothingAtFirst) {
     const Content nothing;
@@ -30,7 +22,8 @@ TEST(Content, HasNothingAtFirst) {
 
 TEST(Content, ReadsTheSameFromMemoryAndFromAFile) {
     const std::string bytes = "0123456789";
-    for (const Content& content : {Content(bytes), Content(file_of("xx" + bytes + "yy"), 2, 10)}) {
+    for (const Content& content :
+         {Content(bytes), Content(unnamed_file("xx" + bytes + "yy"), 2, 10)}) {
         SCOPED_TRACE(content.is_in_memory() ? "memory" : "file");
         EXPECT_EQ(content.size(), 10U);
         EXPECT_EQ(content.all().value(), bytes);
@@ -45,7 +38,8 @@ TEST(Content, ReadsTheSameFromMemoryAndFromAFile) {
 }
 
 TEST(Content, PartsOfPartsAreWhereTheyShouldBe) {
-    for (const Content& content : {Content("0123456789"), Content(file_of("0123456789"), 0, 10)}) {
+    for (const Content& content :
+         {Content("0123456789"), Content(unnamed_file("0123456789"), 0, 10)}) {
         const Content part = content.part(2, 6);
         EXPECT_EQ(part.size(), 6U);
         EXPECT_EQ(part.all().value(), "234567");
@@ -58,20 +52,20 @@ TEST(Content, TellsTheMemoryThatItHolds) {
     const Content content(std::string(1000, 'x'));
     EXPECT_EQ(content.memory_bytes(), 1000U);
     EXPECT_EQ(content.part(1, 2).memory_bytes(), 1000U) << "a part keeps all of it";
-    EXPECT_EQ(Content(file_of("abc"), 0, 3).memory_bytes(), 0U);
+    EXPECT_EQ(Content(unnamed_file("abc"), 0, 3).memory_bytes(), 0U);
 }
 
 TEST(Content, KeepsItsFileOpen) {
     Content part;
     {
-        const Content whole(file_of("0123456789"), 0, 10);
+        const Content whole(unnamed_file("0123456789"), 0, 10);
         part = whole.part(5, 5);
     }
     EXPECT_EQ(part.all().value(), "56789");
 }
 
 TEST(Content, AFileThatBecameShorterIsAnError) {
-    const auto file = file_of("0123456789");
+    const auto file = unnamed_file("0123456789");
     const Content content(file, 0, 10);
     ASSERT_EQ(::ftruncate(file->get(), 4), 0);
     std::string text = "kept";

@@ -20,7 +20,9 @@ HttpOptions impatient() {
     HttpOptions options;
     options.deadlines.head = milliseconds(250);
     options.deadlines.idle = milliseconds(250);
-    options.deadlines.transfer = milliseconds(250);
+    options.deadlines.body = milliseconds(250);
+    options.deadlines.body_pause = milliseconds(250);
+    options.deadlines.answer_pause = milliseconds(250);
     options.deadlines.linger = milliseconds(100);
     return options;
 }
@@ -199,41 +201,6 @@ TEST_F(ConnectionFrontTest, RefusalsAreLoggedToo) {
     ASSERT_EQ(log().size(), 1U);
     EXPECT_EQ(log()[0].status, 400);
     EXPECT_EQ(log()[0].method, "-");
-}
-
-TEST_F(ConnectionFrontTest, ConnectionsOverTheLimitAreTurnedAway) {
-    HttpOptions options;
-    options.max_connections = 3;
-    start(options);
-    std::vector<RawClient> clients;
-    for (int i = 0; i < 3; ++i) {
-        clients.push_back(connect());
-        clients.back().send(request_text("GET", "/livez"));
-        EXPECT_EQ(clients.back().receive().status, 200);
-    }
-    RawClient extra = connect();
-    EXPECT_TRUE(is_problem(extra.receive(), 503, "busy"));
-    clients.pop_back();
-    RawResponse response;
-    for (int i = 0; i < 100 && response.status != 200; ++i) response = ask("GET", "/livez");
-    EXPECT_EQ(response.status, 200);
-}
-
-TEST_F(ConnectionFrontTest, BodiesOfAllTogetherAreBounded) {
-    HttpOptions options;
-    options.limits.buffered_bytes = 3000;
-    start(options);
-    const std::string part = "POST /v1/jobs HTTP/1.1\r\nHost: h\r\nContent-Length: 2000\r\n\r\n{";
-    const RawClient first = connect();
-    first.send(part);
-    RawResponse second;
-    for (int i = 0; i < 100 && second.status != 503; ++i) {
-        RawClient client = connect();
-        client.send(part);
-        client.finish_sending();
-        second = client.receive();
-    }
-    EXPECT_TRUE(is_problem(second, 503, "busy")) << second.body;
 }
 
 TEST_F(ConnectionFrontTest, DrainFinishesWhatIsUnderWay) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/server/http/raw_client.h"
 
+#include <arpa/inet.h>
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -22,7 +23,12 @@ std::string lower(std::string text) {
 
 }  // namespace
 
-RawClient::RawClient(int port) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+RawClient::RawClient(int port, const char* source)
+    : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in own{};
+    own.sin_family = AF_INET;
+    ::inet_pton(AF_INET, source, &own.sin_addr);
+    ::bind(fd_.get(), reinterpret_cast<sockaddr*>(&own), sizeof own);
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(port));
@@ -89,6 +95,11 @@ bool RawClient::is_closed() {
         std::array<char, 4096> bytes;
         if (::recv(fd_.get(), bytes.data(), bytes.size(), 0) <= 0) return true;
     }
+}
+
+bool RawClient::has_answer() const {
+    pollfd ready{fd_.get(), POLLIN, 0};
+    return ::poll(&ready, 1, kPatience_ms) > 0;
 }
 
 void RawClient::finish_sending() const { ::shutdown(fd_.get(), SHUT_WR); }

@@ -24,7 +24,8 @@ struct RawResponse {
 
 class RawClient {
   public:
-    explicit RawClient(int port);
+    /// `source`: the loopback address to come from, e.g. "127.0.0.2", as another client.
+    explicit RawClient(int port, const char* source = "127.0.0.1");
 
     void send(std::string_view bytes) const;
     /// The next response; `head_only` for HEAD. Waits two seconds at most.
@@ -33,6 +34,8 @@ class RawClient {
     [[nodiscard]] std::string receive_until(std::string_view text);
     /// Whether the peer closes within two seconds; bytes before that are lost.
     [[nodiscard]] bool is_closed();
+    /// Whether something can be read within two seconds.
+    [[nodiscard]] bool has_answer() const;
     /// Half-closes: nothing more is sent.
     void finish_sending() const;
     [[nodiscard]] int fd() const { return fd_.get(); }

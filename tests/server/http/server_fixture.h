@@ -32,7 +32,10 @@ class ServerTest : public ::testing::Test {
     HttpServer& server() { return *server_; }
     [[nodiscard]] const HttpServer& server() const { return *server_; }
     void destroy_server() { server_.reset(); }
-    [[nodiscard]] RawClient connect() const { return RawClient(server_->port()); }
+    /// `source`: as of RawClient.
+    [[nodiscard]] RawClient connect(const char* source = "127.0.0.1") const {
+        return RawClient(server_->port(), source);
+    }
     /// One request on a connection of its own.
     [[nodiscard]] RawResponse ask(std::string_view method, std::string_view target,
                                   const std::vector<std::string>& fields = {},
