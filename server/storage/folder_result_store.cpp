@@ -159,10 +159,9 @@ Result<std::vector<std::string>> FolderResultStore::names(const JobId& id) const
 Result<void> FolderResultStore::remove(const JobId& id) {
     if (!is_job_id(id)) return {};
     return guarded([&]() -> Result<void> {
-        // Not flushed: the job store remembers which jobs were removed until their results are.
         fs::remove(archive_of(id));
         fs::remove_all(root_ / id);
-        return {};
+        return sync_folder(root_);
     });
 }
 

@@ -36,7 +36,7 @@ class ResultStore {
                                                  const std::string& name) const = 0;
     /// Sorted; empty when nothing is stored.
     [[nodiscard]] virtual Result<std::vector<std::string>> names(const JobId& id) const = 0;
-    /// Removes all files of the job; nothing happens when there are none.
+    /// Removes all files of the job, for good when it returns; no error when there are none.
     [[nodiscard]] virtual Result<void> remove(const JobId& id) = 0;
     /// Every job that has results, in no order.
     [[nodiscard]] virtual Result<std::vector<JobId>> jobs() const = 0;

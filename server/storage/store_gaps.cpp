@@ -2,6 +2,7 @@
 #include "server/storage/store_gaps.h"
 
 #include <algorithm>
+#include <set>
 
 #include "server/log.h"
 
@@ -12,7 +13,13 @@ Result<void> finish_removals(JobStore& jobs, ResultStore& results) {
     const auto removed = jobs.removed();
     if (!removed) return tl::unexpected(removed.error());
     if (removed->empty()) return {};
+    const auto with_results = results.jobs();
+    if (!with_results) return tl::unexpected(with_results.error());
+    const std::set<JobId> there(with_results->begin(), with_results->end());
     for (const JobId& id : *removed) {
+        // The last one in any case: what was removed before may not have been flushed, and must not
+        // come back when nobody remembers any more that it was removed.
+        if (!there.contains(id) && id != removed->back()) continue;
         if (auto gone = results.remove(id); !gone) return gone;
     }
     // A disk that is full now does not keep the daemon from its work: next time, then.
