@@ -11,8 +11,8 @@
 # failing system calls where strace may not trace.
 # shellcheck source=tests/service/daemon.sh
 . "$(dirname "$0")/daemon.sh"
-# shellcheck source=tests/service/job_kinds.sh
-. "$(dirname "$0")/job_kinds.sh"
+# shellcheck source=tests/service/submitted_jobs.sh
+. "$(dirname "$0")/submitted_jobs.sh"
 # shellcheck source=tests/service/disturbances.sh
 . "$(dirname "$0")/disturbances.sh"
 rounds=${2:-20}
@@ -78,12 +78,5 @@ expect_ready 200 "at the end"
 [ "$jobs_said$submitters_said$untrue" = 000 ] || fail "see above; the seed was $seed"
 end_daemon TERM
 [ "$exit_code" -eq 0 ] || fail "exit code $exit_code after the last SIGTERM"
-
-# What is on the disk belongs to jobs that are there.
-leftovers=$(find "$work/disk/data" -name '*part*' -o -name '*.tmp' -o -name 'port')
-for result in "$work/disk/data/results"/*; do
-    name=${result##*/}
-    [ ! -e "$result" ] || grep -qx "${name:0:36}" "$work/kept" || leftovers+=" $result"
-done
-[ -z "$leftovers" ] || fail "left over: $leftovers"
+check_leftovers
 echo "$rounds rounds, nothing left over"

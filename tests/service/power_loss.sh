@@ -14,8 +14,8 @@
 # the sync of any file, so a forgotten sync of a folder alone may go unseen. Needs root and loop devices (exit code 77).
 # shellcheck source=tests/service/daemon.sh
 . "$(dirname "$0")/daemon.sh"
-# shellcheck source=tests/service/job_kinds.sh
-. "$(dirname "$0")/job_kinds.sh"
+# shellcheck source=tests/service/submitted_jobs.sh
+. "$(dirname "$0")/submitted_jobs.sh"
 # shellcheck source=tests/service/disturbances.sh
 . "$(dirname "$0")/disturbances.sh"
 sloppy_sync=$(realpath "${2:?usage: $0 BOUGUER SLOPPY_SYNC.so [ROUNDS [SEED]]}")
@@ -26,7 +26,8 @@ RANDOM=$seed
 # What a run leaves when it ends in the middle.
 end_run() {
     [ -z "$submitters" ] || kill -KILL "$submitters" 2>/dev/null || true
-    [ -z "$daemon" ] || end_daemon KILL
+    [ -z "$daemon" ] || { kill -KILL "$daemon" && wait "$daemon"; } 2>/dev/null || true
+    daemon=
     ! mountpoint -q "$work/disk" || umount -l "$work/disk"
 }
 trap 'end_run; clean_up' EXIT
@@ -78,7 +79,9 @@ make_kinds "$work/jobs"
 
 echo "seed $seed, $rounds rounds"
 lose_power "$rounds" || fail "power was lost, and more than that; seed $seed"
-end_run
+end_daemon TERM
+check_leftovers
+umount "$work/disk"
 
 # control PART: a run without the syncs of what has PART in its path, by a daemon that goes on after a loss that it sees.
 # A shell of its own, which may fail.

@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: Apache-2.0
-# The kinds of job of endurance.sh and power_loss.sh, and what an undisturbed run makes of them. Sourced after daemon.sh.
+# The jobs of endurance.sh and power_loss.sh: what is posted, and what must have become of it. Sourced after daemon.sh.
 
 here=$(dirname "${BASH_SOURCE[0]}")
 submitters=
@@ -41,4 +41,15 @@ end_submitters() {
 # check_jobs: on a daemon that is left alone; the exit code and last line of check_jobs.py.
 check_jobs() {
     python3 "$here/check_jobs.py" --port-file "$work/data/port" --ledger "$work/ledger" --jobs "$work/jobs" --kept "$work/kept"
+}
+
+# check_leftovers: on a daemon that has ended, after check_jobs: what is on the disk belongs to jobs that are there.
+check_leftovers() {
+    local left result name
+    left=$(find "$work/disk/data" -name '*part*' -o -name '*.tmp' -o -name 'port')
+    for result in "$work/disk/data/results"/*; do
+        name=${result##*/}
+        [ ! -e "$result" ] || grep -qx "${name:0:36}" "$work/kept" || left+=" $result"
+    done
+    [ -z "$left" ] || fail "left over: $left"
 }
