@@ -35,7 +35,7 @@ expect_ready() {
 settle() {
     local ids id state deadline=$((SECONDS + 60))
     ids=$(for state in queued running; do
-        curl -sf "$url/v1/jobs?limit=100&state=$state" | grep -o '"id":"[^"]*"' | cut -d'"' -f4
+        curl -sf "$url/v1/jobs?limit=100&state=$state" | sed 's/"id":"/\n&/g' | sed -n 's/^"id":"\([^"]*\)".*/\1/p'
     done)
     for id in $ids; do
         while state=$(state_of "$id" || true) && [[ $state = queued || $state = running ]]; do

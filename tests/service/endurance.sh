@@ -18,6 +18,9 @@
 rounds=${2:-20}
 seed=${3:-$((SRANDOM % 100000))}
 RANDOM=$seed
+# What nobody expects to fail must not end the test without a word.
+set -o errtrace
+trap 'echo "FAILED: $BASH_COMMAND" >&2' ERR
 left=()
 
 leave() {
