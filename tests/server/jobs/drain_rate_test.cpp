@@ -47,8 +47,8 @@ TEST(DrainRate, ForgetsTheTimeBefore) {
     timed.begin(3500);
     timed.end(3000, 10ms);  // a hundred a second for 30 s,
     EXPECT_NEAR(timed.seconds(), 5, 1);
-    // Then one a second for seven minutes: of what was before, 6000 (1 - e^-0.5) e^-7 = 2 ends still
-    // count, beside 60 new ones. So 80 jobs take 80 x 60 / 62 s.
+    // Then one a second for seven minutes: of what was before, 6000 (1 - e^-0.5) e^-7 = 2 ends
+    // still count, beside 60 new ones. So 80 jobs take 80 x 60 / 62 s.
     timed.end(420, 1000ms);
     EXPECT_NEAR(timed.seconds(), 77, 2);
 }
