@@ -70,6 +70,11 @@ OrderedJson error_object(const Report& report) {
             {"stopped_by", report.stopped_by}};
 }
 
+OrderedJson unfinished_pass_object(const std::optional<renderer::UnfinishedPass>& pass) {
+    if (!pass) return nullptr;
+    return {{"pixels", pass->pixels}, {"without_sample", pass->without_sample}};
+}
+
 OrderedJson health_object(const renderer::Health& health) {
     OrderedJson examples = OrderedJson::array();
     for (const renderer::RejectedSample& sample : health.rejected) {
@@ -89,7 +94,8 @@ OrderedJson health_object(const renderer::Health& health) {
             {"medium_stack_overflows", health.medium_stack_overflows},
             {"shadow_rays_cut", health.shadow_rays_cut},
             {"total_reflections", health.total_reflections},
-            {"dropped_triangles", health.dropped_triangles}};
+            {"dropped_triangles", health.dropped_triangles},
+            {"unfinished_pass", unfinished_pass_object(health.unfinished_pass)}};
 }
 
 OrderedJson plan_object(const renderer::Plan& plan) {

@@ -21,6 +21,10 @@ namespace {
 
 /// When nothing else ends a render, this number of samples a pixel does.
 constexpr std::uint32_t kMaxSamples = 1U << 20U;
+/// A pass may end so much later than the time that is allowed.
+constexpr double kGrace_s = 0.5;
+/// A pass is planned to take this share of the time that is left.
+constexpr double kShareOfTimeLeft = 0.9;
 /// Dimension of the place in the pixel; the integrators' numbers start above.
 constexpr std::uint64_t kDimensionFilm = 0;
 
@@ -49,58 +53,77 @@ class ProgressiveRender final : public Render {
         begin_pass(0);
     }
 
-    std::optional<Unit> next_unit() override {
-        if (waiting_.empty()) return std::nullopt;
-        const Unit unit = waiting_.front();
-        waiting_.pop_front();
+    std::shared_ptr<UnitResult> next_unit() override {
+        std::shared_ptr<UnitResult> unit;
+        if (!paused_.empty()) {
+            unit = std::move(paused_.front());
+            paused_.pop_front();
+        } else if (!waiting_.empty()) {
+            unit = std::make_shared<UnitResult>(waiting_.front(), film_.replicates());
+            waiting_.pop_front();
+        }
         return unit;
     }
 
-    std::unique_ptr<UnitResult> trace(const Unit& unit,
-                                      const std::atomic<bool>* give_up) const override {
-        auto result = std::make_unique<UnitResult>(unit, film_.replicates());
+    void trace(UnitResult& unit, const TraceLimits& limits) const override {
         const auto scratch = integrator_->make_scratch();
-        scratch->give_up = give_up;
-        for (int y = unit.y; y < unit.y + unit.height; ++y) {
-            for (int x = unit.x; x < unit.x + unit.width; ++x) {
-                for (std::uint32_t s = 0; s < unit.num_samples; ++s) {
-                    const std::uint32_t sample = unit.first_sample + s;
-                    const PixelSampler sampler(settings_.seed, x, y, sample, film_.replicates());
-                    const Vec2 offset =
-                        sample_filter(settings_.filter, sampler.get_2d(kDimensionFilm));
-                    const Ray ray = camera_.generate({x + 0.5 + offset.x, y + 0.5 + offset.y});
-                    const Xyz value = integrator_->trace(ray, sampler, *scratch, result->counters);
-                    if (scratch->has_given_up()) return nullptr;
-                    result->add_sample(x, y, sample, value);
-                }
+        scratch->limits = limits;
+        while (!unit.is_complete()) {
+            const TraceCounters before = unit.counters;
+            if (!trace_sample(unit, *scratch)) {
+                unit.counters = before;  // it will be traced again
+                return;
             }
+            if (scratch->is_to_pause()) return;
         }
-        return result;
     }
 
-    bool merge(std::unique_ptr<UnitResult> result, double seconds) override {
-        film_.merge(*result);
-        book(*result);
+    bool merge(const UnitResult& unit, double seconds) override {
+        film_.merge(unit);
+        book(unit);
         if (--unmerged_ > 0) return false;
         end_pass(seconds);
         return true;
     }
 
-    void give_back(const Unit& unit) override { waiting_.push_front(unit); }
+    void give_back(std::shared_ptr<UnitResult> unit) override {
+        rays_ += unit->counters.rays - unit->rays_told;
+        unit->rays_told = unit->counters.rays;
+        paused_.push_back(std::move(unit));
+    }
+
+    std::optional<double> deadline_s() const override {
+        if (!time_allowed()) return std::nullopt;
+        return *time_allowed() + kGrace_s;
+    }
+
+    void end_late() override {
+        report_.stopped_by = is_limited_by_owner() ? "server-limit" : "seconds";
+        if (samples_done_ > 0) return;
+        for (const auto& unit : paused_) {
+            film_.merge(*unit);
+            book(*unit);
+        }
+        show_film();
+        report_.health.unfinished_pass =
+            UnfinishedPass{film_.num_pixels(), film_.num_pixels() - report_.health.samples};
+        paused_.clear();
+        waiting_.clear();
+    }
 
     bool finished() const override { return !report_.stopped_by.empty(); }
     std::uint32_t current_pass() const override { return pass_; }
-    bool has_units() const override { return !waiting_.empty(); }
+    bool has_units() const override { return !waiting_.empty() || !paused_.empty(); }
     std::uint32_t samples_done() const override { return samples_done_; }
-    std::uint64_t rays() const override { return counters_.rays; }
+    std::uint64_t rays() const override { return rays_; }
 
     double progress(double seconds) const override {
         if (finished()) return 1;
         const double in_pass =
             1 - static_cast<double>(unmerged_) / static_cast<double>(units_in_pass_);
         double share = (samples_done_ + in_pass * samples_in_pass_) / sample_limit();
-        if (stop_.seconds)
-            share = std::max(share, *stop_.seconds > 0 ? seconds / *stop_.seconds : 1);
+        if (const auto allowed = time_allowed())
+            share = std::max(share, *allowed > 0 ? seconds / *allowed : 1);
         if (stop_.error && !report_.error.empty() && report_.error.back().relative_rmse) {
             // Noise falls with the root of the samples.
             const double ratio = *stop_.error / report_.error.back().relative_rmse->high;
@@ -123,20 +146,45 @@ class ProgressiveRender final : public Render {
         return report;
     }
 
-    std::optional<Picture> picture() const override {
-        if (samples_done_ == 0) return std::nullopt;
-        return newest_;
-    }
+    std::shared_ptr<const Picture> picture() const override { return newest_; }
 
   private:
     [[nodiscard]] std::uint32_t sample_limit() const { return stop_.samples.value_or(kMaxSamples); }
 
+    /// Seconds, the lesser of what the job asks for and what the owner allows.
+    [[nodiscard]] std::optional<double> time_allowed() const {
+        return is_limited_by_owner() ? stop_.limit_s : stop_.seconds;
+    }
+    [[nodiscard]] bool is_limited_by_owner() const {
+        return stop_.limit_s && !(stop_.seconds && *stop_.seconds <= *stop_.limit_s);
+    }
+
+    /// The next sample of `unit`; false when it was given up.
+    [[nodiscard]] bool trace_sample(UnitResult& unit, TraceScratch& scratch) const {
+        const Unit& u = unit.unit();
+        const std::size_t pixel = unit.cursor / u.num_samples;
+        const auto width = static_cast<std::size_t>(u.width);
+        const int x = u.x + static_cast<int>(pixel % width);
+        const int y = u.y + static_cast<int>(pixel / width);
+        const auto sample =
+            u.first_sample + static_cast<std::uint32_t>(unit.cursor % u.num_samples);
+        const PixelSampler sampler(settings_.seed, x, y, sample, film_.replicates());
+        const Vec2 offset = sample_filter(settings_.filter, sampler.get_2d(kDimensionFilm));
+        const Ray ray = camera_.generate({x + 0.5 + offset.x, y + 0.5 + offset.y});
+        const Xyz value = integrator_->trace(ray, sampler, scratch, unit.counters);
+        if (scratch.has_given_up()) return false;
+        unit.add_sample(x, y, sample, value);
+        ++unit.cursor;
+        return true;
+    }
+
     void begin_pass(double seconds) {
         samples_in_pass_ = std::min(pass_samples(samples_done_), sample_limit() - samples_done_);
-        if (stop_.seconds && samples_done_ > 0) {
-            // Not more than fits into the time that is left, at the speed so far.
+        if (const auto allowed = time_allowed(); allowed && samples_done_ > 0) {
+            // Not more than fits into the time that is left, at the speed so far: a pass that is
+            // late is lost.
             const double fitting =
-                (*stop_.seconds - seconds) * samples_done_ / std::max(seconds, 1e-9);
+                kShareOfTimeLeft * (*allowed - seconds) * samples_done_ / std::max(seconds, 1e-9);
             samples_in_pass_ =
                 static_cast<std::uint32_t>(std::clamp<double>(fitting, 1, samples_in_pass_));
         }
@@ -148,7 +196,7 @@ class ProgressiveRender final : public Render {
     void end_pass(double seconds) {
         samples_done_ += samples_in_pass_;
         samples_in_pass_ = 0;
-        newest_ = {film_.area().width, film_.area().height, film_.mean_xyz()};
+        show_film();
         ErrorPoint point{seconds, samples_done_, counters_.rays, {}, {}, false};
         if (const auto estimate = estimate_error(film_)) {
             point.rmse = estimate->rmse;
@@ -162,18 +210,25 @@ class ProgressiveRender final : public Render {
         begin_pass(seconds);
     }
 
+    void show_film() {
+        newest_ = std::make_shared<const Picture>(
+            Picture{film_.area().width, film_.area().height, film_.mean_xyz()});
+    }
+
     [[nodiscard]] std::string stop_reason(const ErrorPoint& point) const {
         if (samples_done_ >= sample_limit()) return "samples";
         if (stop_.error && point.relative_rmse && !point.few_events &&
             point.relative_rmse->high <= *stop_.error) {
             return "error";
         }
-        if (stop_.seconds && point.seconds >= *stop_.seconds) return "seconds";
-        return {};
+        const auto allowed = time_allowed();
+        if (!allowed || point.seconds < *allowed) return {};
+        return is_limited_by_owner() ? "server-limit" : "seconds";
     }
 
     void book(const UnitResult& result) {
         counters_ += result.counters;
+        rays_ += result.counters.rays - result.rays_told;
         Health& total = report_.health;
         const Health& more = result.health();
         total.samples += more.samples;
@@ -191,10 +246,12 @@ class ProgressiveRender final : public Render {
     StopRule stop_;
     std::unique_ptr<Integrator> integrator_;
     Film film_;
-    Picture newest_;
-    Report report_;  ///< all but what counters_ holds
+    std::shared_ptr<const Picture> newest_;  ///< null before there is one
+    Report report_;                          ///< all but what counters_ holds
     TraceCounters counters_;
+    std::uint64_t rays_ = 0;  ///< with those of units given back
     std::deque<Unit> waiting_;
+    std::deque<std::shared_ptr<UnitResult>> paused_;
     std::size_t units_in_pass_ = 0, unmerged_ = 0;
     std::uint32_t pass_ = 0, samples_done_ = 0, samples_in_pass_ = 0;
 };

@@ -4,13 +4,13 @@
 //
 //     auto scene = build_scene(description);                      // once; shared by jobs
 //     auto render = Render::create(*scene, settings, stop);
-//     while (auto unit = render->next_unit())                     // any thread, under the caller's
-//     lock
-//         render->merge(render->trace(*unit), seconds_so_far);    // trace() outside the lock
-//     Picture picture = render->picture(output);
+//     while (auto unit = render->next_unit()) {                   // any thread, under a lock
+//         render->trace(*unit);                                   // outside the lock
+//         render->merge(*unit, seconds_so_far);
+//     }
+//     auto picture = render->picture();
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "renderer/core/result.h"
+#include "renderer/core/trace_limits.h"
 #include "renderer/report.h"
 #include "renderer/scene/description.h"
 #include "renderer/settings.h"
@@ -57,21 +58,28 @@ class Render {
                                                                 const StopRule& stop);
     virtual ~Render() = default;
 
-    /// The next unit of the current pass; empty when the pass has none left to hand out (others may
-    /// still be running) or the render has ended. The next pass begins once every unit of this one
-    /// was merged.
-    [[nodiscard]] virtual std::optional<Unit> next_unit() = 0;
-    /// Pure function of scene, settings and unit. When `give_up`, which may be null, becomes true,
-    /// it returns null within the time of a few rays.
-    [[nodiscard]] virtual std::unique_ptr<UnitResult> trace(
-        const Unit& unit, const std::atomic<bool>* give_up = nullptr) const = 0;
-    /// Takes a unit's result; `seconds` is the wall time since the render began. Returns whether
+    /// The next unit of the current pass, one that was given back before all others; null when the
+    /// pass has none left to hand out (others may still be running) or the render has ended. The
+    /// next pass begins once every unit of this one was merged.
+    [[nodiscard]] virtual std::shared_ptr<UnitResult> next_unit() = 0;
+    /// Goes on with `unit` to its end or as far as `limits` let it. A complete unit is a pure
+    /// function of scene, settings and unit.
+    virtual void trace(UnitResult& unit, const TraceLimits& limits = {}) const = 0;
+    /// Takes a complete unit; `seconds` is the wall time since the render began. Returns whether
     /// this ended a pass: then the picture is complete, the error curve has a new point, and the
     /// stop rule was consulted.
-    virtual bool merge(std::unique_ptr<UnitResult> result, double seconds) = 0;
-    /// Hands back a unit that was taken and will not be traced (its worker stops); it will be
-    /// handed out again.
-    virtual void give_back(const Unit& unit) = 0;
+    virtual bool merge(const UnitResult& unit, double seconds) = 0;
+    /// Hands back a unit that is not complete.
+    virtual void give_back(std::shared_ptr<UnitResult> unit) = 0;
+
+    /// The moment, in seconds since the render began, when the owner gives up what is under way and
+    /// calls end_late(): the time that the stop rule allows and half a second in which a pass may
+    /// still come to its end. Empty: never.
+    [[nodiscard]] virtual std::optional<double> deadline_s() const = 0;
+    /// Ends a render that is late. No unit is under way: all that were handed out came back. In the
+    /// first pass the picture becomes what there is of it, and the report says so
+    /// (Health::unfinished_pass); later the newest complete pass stays, whose error is known.
+    virtual void end_late() = 0;
 
     [[nodiscard]] virtual bool finished() const = 0;
     [[nodiscard]] virtual std::uint32_t current_pass() const = 0;
@@ -79,11 +87,11 @@ class Render {
     /// Share of the work done, [0, 1], by the stop rule that is nearest.
     [[nodiscard]] virtual double progress(double seconds) const = 0;
     [[nodiscard]] virtual std::uint32_t samples_done() const = 0;  ///< a pixel, complete passes
-    [[nodiscard]] virtual std::uint64_t rays() const = 0;
+    [[nodiscard]] virtual std::uint64_t rays() const = 0;          ///< of units given back, too
     /// Rays counted, error(t), health, plan, bias, stopped_by. Timings are the caller's.
     [[nodiscard]] virtual Report report() const = 0;
-    /// The newest complete pass. Empty before the first.
-    [[nodiscard]] virtual std::optional<Picture> picture() const = 0;
+    /// The newest complete pass, or after end_late() what there is of the first. Null before.
+    [[nodiscard]] virtual std::shared_ptr<const Picture> picture() const = 0;
 };
 
 /// The file bytes of a picture; deterministic: equal pictures give equal bytes.

@@ -48,6 +48,11 @@ struct RejectedSample {
     std::string kind;
 };
 
+/// A first pass that the time did not suffice for.
+struct UnfinishedPass {
+    std::uint64_t pixels = 0, without_sample = 0;  ///< the latter are black
+};
+
 /// The ledger: everything that did not reach the picture as it was computed.
 struct Health {
     std::uint64_t samples = 0;  ///< offered to the film
@@ -60,6 +65,7 @@ struct Health {
     std::uint64_t shadow_rays_cut = 0;    ///< shadow rays that met more surfaces than are followed
     std::uint64_t total_reflections = 0;  ///< for information
     std::uint64_t dropped_triangles = 0;  ///< zero area, left out of the scene
+    std::optional<UnfinishedPass> unfinished_pass;  ///< that the picture is of; empty: a whole one
     [[nodiscard]] std::uint64_t rejected_total() const {
         return rejected_nan + rejected_infinite + rejected_negative;
     }
@@ -102,7 +108,8 @@ struct Report {
     Health health;
     Plan plan;
     Timings timings;
-    std::string stopped_by;  ///< "samples", "seconds", "error", "cancel"; empty while it runs
+    std::string stopped_by;  ///< "samples", "seconds", "error", "cancel", "server-limit"; empty
+                             ///< while it runs
     ImageInfo image;         ///< of the newest PNG
 };
 

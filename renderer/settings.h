@@ -51,8 +51,10 @@ struct RenderSettings {
 /// Whichever comes first. At least one is set.
 struct StopRule {
     std::optional<std::uint32_t> samples;  ///< a pixel
-    std::optional<double> seconds;         ///< of wall time, checked at the end of passes
+    std::optional<double> seconds;         ///< of wall time since rendering began
     std::optional<double> error;  ///< relative RMSE; reached when the interval's upper end is below
+    std::optional<double>
+        limit_s{};  ///< as `seconds`, but set by whoever runs the render for others
 };
 
 /// What the channels of an EXR file are; all linear, and colorimetric: nothing is adapted.

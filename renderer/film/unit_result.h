@@ -32,6 +32,16 @@ class UnitResult {
     void add_sample(int x, int y, std::uint32_t sample, Xyz value);
 
     [[nodiscard]] const Unit& unit() const { return unit_; }
+
+    /// How many of its samples were traced, in the order in which the tracer takes them: where it
+    /// goes on.
+    std::size_t cursor = 0;
+    [[nodiscard]] std::size_t num_samples() const {
+        return static_cast<std::size_t>(unit_.width) * static_cast<std::size_t>(unit_.height) *
+               unit_.num_samples;
+    }
+    [[nodiscard]] bool is_complete() const { return cursor == num_samples(); }
+
     /// Of the pixel (x, y) and the replicate that holds sample unit.first_sample + slot.
     [[nodiscard]] const ReplicateSum& at(int x, int y, std::uint32_t slot) const {
         return sums_[index(x, y, slot)];
@@ -42,7 +52,8 @@ class UnitResult {
     }
     [[nodiscard]] const Health& health() const { return health_; }
 
-    TraceCounters counters;  ///< filled by the tracer
+    TraceCounters counters;       ///< filled by the tracer
+    std::uint64_t rays_told = 0;  ///< of counters.rays, kept by whoever shows progress
 
   private:
     [[nodiscard]] std::size_t index(int x, int y, std::uint32_t slot) const {

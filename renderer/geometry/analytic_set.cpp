@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/core/thread_sanitizer.h"
+
 namespace bouguer::renderer {
 namespace {
 
@@ -30,6 +32,7 @@ void bound(const RTCBoundsFunctionArguments* args) {
     args->bounds_o->upper_x = static_cast<float>(hi.x);
     args->bounds_o->upper_y = static_cast<float>(hi.y);
     args->bounds_o->upper_z = static_cast<float>(hi.z);
+    happens_before(&set);  // called by Embree's build threads; the end of the build waits for them
 }
 
 void intersect(const RTCIntersectFunctionNArguments* args) {

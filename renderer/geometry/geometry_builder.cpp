@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "renderer/core/out_of_memory.h"
+#include "renderer/core/thread_sanitizer.h"
 #include "renderer/geometry/embree_geometry.h"
 
 namespace bouguer::renderer {
@@ -175,6 +176,7 @@ class Builder {
 
     void commit(const SceneHandle& scene) {
         rtcCommitScene(scene.get());
+        happens_after(data_.analytic.get());  // whose bounds Embree's threads have asked for
         note_error();
     }
 

@@ -2,10 +2,10 @@
 // What every integrator does: the colour that arrives along one camera ray.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 
+#include "renderer/core/trace_limits.h"
 #include "renderer/core/vec3.h"
 #include "renderer/samplers/pixel_sampler.h"
 #include "renderer/scene/scene.h"
@@ -29,11 +29,31 @@ class TraceScratch {
   public:
     virtual ~TraceScratch() = default;
 
-    /// When it becomes true, samples under way end early and what they give means nothing.
-    const std::atomic<bool>* give_up = nullptr;
-    [[nodiscard]] bool has_given_up() const {
-        return give_up != nullptr && give_up->load(std::memory_order_relaxed);
+    TraceLimits limits;
+
+    /// Once true, samples under way end early and what they give means nothing. Cheap enough for
+    /// every ray.
+    [[nodiscard]] bool has_given_up() {
+        if (limits.give_up != nullptr && limits.give_up->load(std::memory_order_relaxed)) {
+            return true;
+        }
+        return time() >= limits.give_up_at;
     }
+    /// Whether it is time to leave off between two samples.
+    [[nodiscard]] bool is_to_pause() { return time() >= limits.pause_at; }
+
+  private:
+    /// How often the time is asked for before the clock is looked at again.
+    static constexpr std::uint32_t kAsksPerLook = 32;
+
+    /// Some asks old.
+    [[nodiscard]] TraceLimits::Clock::time_point time() {
+        if (asks_++ % kAsksPerLook == 0) last_look_ = TraceLimits::Clock::now();
+        return last_look_;
+    }
+
+    std::uint32_t asks_ = 0;
+    TraceLimits::Clock::time_point last_look_;
 };
 
 /// Immutable and thread-safe; each thread brings its own scratch and counters.

@@ -122,6 +122,11 @@ void add_serve(CLI::App& app, ServeOptions& o) {
                    "GiB for all running jobs together; 0: half of the machine's, or of what its "
                    "control group (container) may have")
         ->check(within(0.0, 1e6));
+    app.add_option("--max-seconds", o.max_seconds,
+                   "seconds of rendering that one job gets; what is there by then is its result")
+        ->check(within(0.001, 1e9))
+        ->type_name("SECONDS")
+        ->capture_default_str();
     app.add_option("--queue", o.queue, "jobs that may wait or run; beyond: 503")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
         ->capture_default_str();

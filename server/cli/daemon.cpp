@@ -42,6 +42,7 @@ JobManagerOptions manager_options(const ServeOptions& options, const MemoryShare
     JobManagerOptions result;
     result.threads = options.threads > 0 ? options.threads
                                          : static_cast<int>(std::thread::hardware_concurrency());
+    result.max_seconds = options.max_seconds;
     result.scheduler.tasks = options.queue;
     result.scheduler.memory_bytes =
         options.memory_gib > 0 ? static_cast<std::uint64_t>(options.memory_gib * (1U << 30U))

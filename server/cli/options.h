@@ -35,8 +35,9 @@ struct ServeOptions {
     bool accept_loss = false;      ///< start on a data folder where something is missing
     std::filesystem::path assets;  ///< empty: DATA/assets
     int threads = 0;               ///< 0: one for each hardware thread
-    double memory_gib = 0;     ///< of all running jobs together; 0: half of machine_memory_bytes()
-    std::size_t queue = 1000;  ///< jobs that wait or run
+    double memory_gib = 0;  ///< of all running jobs together; 0: half of machine_memory_bytes()
+    double max_seconds = 86'400;  ///< of rendering one job
+    std::size_t queue = 1000;     ///< jobs that wait or run
     std::vector<std::string> cors_origins;
     std::vector<std::string> allowed_hosts;  ///< HOST or HOST:PORT, as requests may name us
     int drain_delay_s = 0;  ///< from SIGTERM, when /readyz turns, to the closing of the listener

@@ -55,7 +55,7 @@ RenderOutcome render(api::JobRequest job, int threads, StopSignal& stop) {
     ProgressBar bar;
     while (future.wait_for(kTick) != std::future_status::ready) {
         if (stop.has_come()) {
-            if (task->cancel()) return {JobState::Cancelled, {}, {}, {}};
+            if (task->cancel()) return RenderOutcome{JobState::Cancelled, {}, {}, {}, {}};
             workers.wake();
         }
         bar.draw(task->progress());
@@ -101,6 +101,10 @@ int finish(const RenderOptions& options, const RenderOutcome& outcome) {
         return kExitFailed;
     }
     print_summary(outcome.progress);
+    if (const auto& pass = outcome.unfinished_pass) {
+        std::cerr << "bouguer: the time was over in the first pass; " << pass->without_sample
+                  << " of " << pass->pixels << " pixels have no sample and are black\n";
+    }
     if (!is_whole) std::cerr << "bouguer: stopped; what is written is the newest complete pass\n";
     return is_whole ? kExitOk : kExitFailed;
 }

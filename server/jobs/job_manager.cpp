@@ -165,6 +165,7 @@ void JobManager::refuse_new() { is_accepting_ = false; }
 void JobManager::stop() {
     refuse_new();
     if (workers_ == nullptr) return;
+    workers_->refuse_new();  // first: what has not begun by now will not
     {
         const std::lock_guard lock(live_mutex_);
         for (const auto& [id, task] : live_) {
@@ -193,6 +194,7 @@ std::shared_ptr<RenderTask> JobManager::make_task(const Job& job) {
     auto prepare = [this, id = job.id]() -> Result<PreparedRender> {
         auto request = stored_request(jobs_, id, options_.documents, assets_);
         if (!request) return tl::unexpected(request.error());
+        request->stop.limit_s = options_.max_seconds;
         return prepare_render(*request, scenes_);
     };
     RenderListener& listener = *this;

@@ -28,6 +28,7 @@ namespace bouguer::server {
 
 struct JobManagerOptions {
     int threads = 1;
+    double max_seconds = 86'400;  ///< of rendering one job; what is there by then is its result
     SchedulerLimits scheduler{};
     api::Limits documents{};
     std::uint64_t scene_cache_bytes = 512U << 20U;

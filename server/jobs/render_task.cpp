@@ -13,6 +13,8 @@ using namespace std::chrono_literals;
 
 /// Least time between two progress events and between two previews of a job.
 constexpr auto kEventInterval = 250ms;
+/// A unit is left after so long, so that a worker gives way to other jobs.
+constexpr auto kTurn = 100ms;
 /// A preview may take this share of one thread's time.
 constexpr int kPreviewShare = 4;
 
@@ -57,7 +59,8 @@ RenderTask::RenderTask(JobId id, int priority, std::uint64_t memory_bytes, Prepa
       runs_alone_(runs_alone) {}
 
 bool RenderTask::is_over_locked() const {
-    return is_cancelled_ || is_complete_ || !failure_.empty();
+    return is_given_up_locked() || is_complete_ ||
+           (phase_ == Phase::Rendering && Clock::now() >= deadline_);
 }
 
 Urgency RenderTask::urgency() const {
@@ -83,23 +86,27 @@ std::optional<Task::Step> RenderTask::next_step() {
     if (phase_ == Phase::Waiting) {
         phase_ = Phase::Preparing;
         step = [this] { prepare(); };
-    } else if (phase_ < Phase::Finishing && is_over_locked()) {
-        if (steps_under_way_ > 0) return std::nullopt;
+    } else if (phase_ == Phase::Rendering && !is_over_locked()) {
+        try {
+            step = take_unit_locked();
+        } catch (const std::bad_alloc&) {
+            failure_ = "out of memory";  // short enough to need none
+        }
+    }
+    if (!step && phase_ < Phase::Finishing && is_over_locked() && steps_under_way_ == 0) {
         leave_rendering_locked(Phase::Finishing);
         step = [this] { finish(); };
-    } else if (phase_ == Phase::Rendering) {
-        step = take_unit_locked();
     }
     if (step) ++steps_under_way_;
     return step;
 }
 
 std::optional<Task::Step> RenderTask::take_unit_locked() {
-    const auto unit = prepared_.render->next_unit();
-    if (!unit) return std::nullopt;
+    std::shared_ptr<renderer::UnitResult> unit = prepared_.render->next_unit();
+    if (unit == nullptr) return std::nullopt;
+    Step step = [this, unit = std::move(unit)] { trace(unit); };
     ++units_under_way_;
-    std::shared_ptr<const renderer::Render> render = prepared_.render;
-    return [this, render = std::move(render), unit = *unit] { trace(*render, unit); };
+    return step;
 }
 
 bool RenderTask::ended() const {
@@ -144,6 +151,10 @@ void RenderTask::prepare() {
 void RenderTask::begin_rendering(PreparedRender prepared) {
     prepared_ = std::move(prepared);
     render_began_ = Clock::now();
+    if (const auto seconds = prepared_.render->deadline_s()) {
+        deadline_ = render_began_ + std::chrono::duration_cast<Clock::duration>(
+                                        std::chrono::duration<double>(*seconds));
+    }
     auto shown = look();
     const std::lock_guard lock(mutex_);
     shown_ = std::move(shown);
@@ -161,28 +172,32 @@ std::shared_ptr<const RenderTask::Shown> RenderTask::look() const {
     return shown;
 }
 
-void RenderTask::trace(const renderer::Render& render, const renderer::Unit& unit) {
+void RenderTask::trace(const std::shared_ptr<renderer::UnitResult>& unit) {
     const StepGuard guard(*this);
-    std::unique_ptr<renderer::UnitResult> result = render.trace(unit, &give_up_);
+    // The render stays as long as a step is under way.
+    prepared_.render->trace(*unit, {Clock::now() + kTurn, deadline_, &give_up_});
     std::optional<JobProgress> progress;
+    bool is_last = false;
     {
         const std::lock_guard lock(mutex_);
         --units_under_way_;
-        if (is_over_locked()) return;
-        if (result == nullptr) return prepared_.render->give_back(unit);
-        if (units_under_way_ == 0 && !prepared_.render->has_units()) {
+        if (is_given_up_locked()) return;
+        if (!unit->is_complete()) {
+            prepared_.render->give_back(unit);
+        } else if (units_under_way_ == 0 && !prepared_.render->has_units()) {
+            is_last = true;
             leave_rendering_locked(Phase::EndingPass);
         } else {
-            (void)prepared_.render->merge(std::move(result), seconds());
-            progress = progress_event_locked(Clock::now());
+            (void)prepared_.render->merge(*unit, seconds());
         }
+        if (!is_last) progress = progress_event_locked(Clock::now());
     }
-    if (result != nullptr) return end_pass(std::move(result));
+    if (is_last) return end_pass(*unit);
     if (progress) listener_.progress(id_, *progress);
 }
 
-void RenderTask::end_pass(std::unique_ptr<renderer::UnitResult> last) {
-    (void)prepared_.render->merge(std::move(last), seconds());
+void RenderTask::end_pass(const renderer::UnitResult& last) {
+    (void)prepared_.render->merge(last, seconds());
     std::shared_ptr<const Shown> shown = look();
     std::optional<JobProgress> progress;
     bool makes_preview = false;
@@ -257,16 +272,15 @@ RenderOutcome RenderTask::outcome() noexcept {
 
 RenderOutcome RenderTask::outcome_of_render() {
     RenderOutcome result;
-    bool is_complete = false;
     {
         const std::lock_guard lock(mutex_);
         result.progress = progress_;
         result.progress.seconds_left.reset();
         result.failure = failure_;
-        is_complete = is_complete_;
         result.failure_code = failure_code_;
     }
     if (!result.failure.empty()) return result;
+    const bool is_complete = complete_render();
     // Cancelled, but all that was asked for had been done by then: done.
     result.state = is_complete ? JobState::Done : JobState::Cancelled;
     if (prepared_.render == nullptr) return result;
@@ -274,7 +288,8 @@ RenderOutcome RenderTask::outcome_of_render() {
     if (!shown->picture) return result;
     renderer::Report report = shown->report;
     if (!is_complete) report.stopped_by = "cancel";
-    auto files = result_files(shown->picture, report, shown->output, shown->digests);
+    result.unfinished_pass = report.health.unfinished_pass;
+    auto files = result_files(shown->picture.get(), report, shown->output, shown->digests);
     if (files) {
         result.files = std::move(*files);
     } else {
@@ -282,6 +297,18 @@ RenderOutcome RenderTask::outcome_of_render() {
         result.failure = files.error().message;
     }
     return result;
+}
+
+/// Whether all that was asked for is done, or as much as the time allowed.
+bool RenderTask::complete_render() {
+    if (prepared_.render == nullptr) return false;
+    {
+        const std::lock_guard lock(mutex_);
+        if (is_complete_) return true;
+        if (is_cancelled_) return false;
+    }
+    prepared_.render->end_late();
+    return true;
 }
 
 double RenderTask::seconds() const {

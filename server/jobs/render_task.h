@@ -35,6 +35,7 @@ struct RenderOutcome {
     JobProgress progress;
     ResultFiles files;           ///< of a cancelled one: of its newest pass, or none
     std::string failure_code{};  ///< `failure` as a stable name; may be empty
+    std::optional<renderer::UnfinishedPass> unfinished_pass{};  ///< that the picture is of
 };
 
 /// Is told what happens to a task: by a worker, without a lock held, one call at a time for `begin`
@@ -51,10 +52,11 @@ class RenderListener {
 };
 
 /// Thread-safe. Its steps are: prepare (build the scene), one for each unit, finish (make the
-/// files). Its phase is the one truth about it: whatever is asked is answered from the phase and
-/// from what was published when the phase began, never from a render that another thread may be
-/// ending or letting go of. Its lock is held for moments only, so that what the scheduler asks
-/// (urgency, next_step, ended) never waits for a picture.
+/// files). A unit that takes longer than a moment is left, and goes on in a later step, perhaps of
+/// another worker: others get their turn meanwhile. Its phase is the one truth about it: whatever
+/// is asked is answered from the phase and from what was published when the phase began, never from
+/// a render that another thread may be ending or letting go of. Its lock is held for moments only,
+/// so that what the scheduler asks (urgency, next_step, ended) never waits for a picture.
 class RenderTask final : public Task {
   public:
     using Prepare = std::function<Result<PreparedRender>()>;  ///< called by a worker; may throw
@@ -77,7 +79,7 @@ class RenderTask final : public Task {
     /// once.
     bool cancel();
 
-    /// The process stops: units under way are given up and handed back.
+    /// The process stops: units under way are left and handed back.
     void interrupt() { give_up_ = true; }
 
     [[nodiscard]] JobProgress progress() const;
@@ -101,15 +103,15 @@ class RenderTask final : public Task {
 
     /// What can be shown of a running job. Never changes, so that it is read without the lock.
     struct Shown {
-        std::optional<renderer::Picture> picture;  ///< empty before the first complete pass
+        std::shared_ptr<const renderer::Picture> picture;  ///< null before the first complete pass
         renderer::Report report;
         renderer::OutputSettings output;
         JobDigests digests;
     };
 
     void prepare();
-    void trace(const renderer::Render& render, const renderer::Unit& unit);
-    void end_pass(std::unique_ptr<renderer::UnitResult> last);
+    void trace(const std::shared_ptr<renderer::UnitResult>& unit);
+    void end_pass(const renderer::UnitResult& last);
     void make_preview(const Shown& shown);
     void finish();
 
@@ -120,7 +122,9 @@ class RenderTask final : public Task {
     [[nodiscard]] std::shared_ptr<const Shown> look() const;
     [[nodiscard]] RenderOutcome outcome() noexcept;
     [[nodiscard]] RenderOutcome outcome_of_render();
+    [[nodiscard]] bool complete_render();
 
+    [[nodiscard]] bool is_given_up_locked() const { return is_cancelled_ || !failure_.empty(); }
     [[nodiscard]] bool is_over_locked() const;
     [[nodiscard]] std::optional<Step> take_unit_locked();
     void leave_rendering_locked(Phase next);
@@ -136,12 +140,12 @@ class RenderTask final : public Task {
     RenderListener& listener_;
     const bool runs_alone_;
 
-    std::atomic<bool> give_up_ = false;  ///< units under way end without a result
+    std::atomic<bool> give_up_ = false;  ///< units under way are left at once
 
     mutable std::mutex mutex_;
     Phase phase_ = Phase::Waiting;  // guarded by mutex_, as all below but prepared_
     int steps_under_way_ = 0;
-    int units_under_way_ = 0;  ///< handed out and not merged
+    int units_under_way_ = 0;  ///< handed out and not come back
     bool is_cancelled_ = false;
     bool is_complete_ = false;  ///< the render has done all that was asked for
     std::string failure_, failure_code_;
@@ -158,6 +162,7 @@ class RenderTask final : public Task {
     // for Render::trace), in EndingPass and Finishing by the one worker whose step that is.
     PreparedRender prepared_;
     Clock::time_point render_began_;  ///< set before the phase Rendering; does not change
+    Clock::time_point deadline_ = Clock::time_point::max();  ///< likewise: of Render::deadline_s()
 };
 
 }  // namespace bouguer::server

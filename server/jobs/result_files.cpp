@@ -106,11 +106,11 @@ std::optional<std::string> report_file(std::string_view name, const Report& repo
     return result->write(report, output, digests);
 }
 
-Result<ResultFiles> result_files(const std::optional<renderer::Picture>& picture, Report& report,
+Result<ResultFiles> result_files(const renderer::Picture* picture, Report& report,
                                  const OutputSettings& output, const JobDigests& digests) {
     const auto begin = std::chrono::steady_clock::now();
     ResultFiles files;
-    if (picture) {
+    if (picture != nullptr) {
         if (auto added = add_images(*picture, output, report, files); !added) {
             return tl::unexpected(added.error());
         }

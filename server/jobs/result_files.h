@@ -37,9 +37,9 @@ struct JobDigests {
                                                      const renderer::OutputSettings& output,
                                                      const JobDigests& digests);
 
-/// Every file that is kept of a render that has ended; without images when there is no picture.
+/// Every file that is kept of a render that has ended; without images when `picture` is null.
 /// Completes the report: timings.output_s, image.
-[[nodiscard]] Result<ResultFiles> result_files(const std::optional<renderer::Picture>& picture,
+[[nodiscard]] Result<ResultFiles> result_files(const renderer::Picture* picture,
                                                renderer::Report& report,
                                                const renderer::OutputSettings& output,
                                                const JobDigests& digests);

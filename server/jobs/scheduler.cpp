@@ -2,6 +2,7 @@
 #include "server/jobs/scheduler.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bouguer::server {
 
@@ -11,10 +12,21 @@ bool Scheduler::QueueOrder::operator()(const Entry& a, const Entry& b) const {
     return a.sequence < b.sequence;
 }
 
+Urgency Scheduler::urgency_of(const Entry& entry) {
+    const Urgency urgency = entry.task->urgency();
+    const bool is_long = urgency == Urgency::FirstPass && entry.spent >= kHeadStart_s;
+    return is_long ? Urgency::LaterPass : urgency;
+}
+
 bool Scheduler::goes_before(const Entry& a, const Entry& b) {
     if (a.urgency != b.urgency) return a.urgency < b.urgency;
     if (a.task->priority() != b.task->priority()) return a.task->priority() > b.task->priority();
     if (a.urgency == Urgency::LaterPass && a.time != b.time) return a.time < b.time;
+    if (a.urgency == Urgency::FirstPass) {
+        const double turns_a = std::floor(a.spent / kTurn_s);
+        const double turns_b = std::floor(b.spent / kTurn_s);
+        if (turns_a != turns_b) return turns_a < turns_b;
+    }
     return a.sequence < b.sequence;
 }
 
@@ -81,14 +93,18 @@ void Scheduler::activate_what_fits() {
     }
 }
 
-std::optional<Scheduler::Work> Scheduler::next() {
+std::optional<Scheduler::Work> Scheduler::next(int most_steps) {
     const std::lock_guard lock(mutex_);
     let_go_of_ended();
     activate_what_fits();
-    for (Entry& entry : active_) entry.urgency = entry.task->urgency();
+    for (Entry& entry : active_) entry.urgency = urgency_of(entry);
     std::sort(active_.begin(), active_.end(), goes_before);
-    for (const Entry& entry : active_) {
-        if (auto step = entry.task->next_step()) return Work{entry.task, std::move(*step)};
+    for (Entry& entry : active_) {
+        if (entry.steps_under_way >= most_steps) continue;
+        auto step = entry.task->next_step();
+        if (!step) continue;
+        ++entry.steps_under_way;
+        return Work{entry.task, std::move(*step)};
     }
     return std::nullopt;
 }
@@ -97,7 +113,10 @@ void Scheduler::charge(const Task& task, double seconds) {
     const std::lock_guard lock(mutex_);
     const auto entry = std::find_if(active_.begin(), active_.end(),
                                     [&](const Entry& e) { return e.task.get() == &task; });
-    if (entry != active_.end()) entry->time += seconds;
+    if (entry == active_.end()) return;
+    --entry->steps_under_way;
+    entry->time += seconds;
+    entry->spent += seconds;
 }
 
 std::size_t Scheduler::num_waiting() const {

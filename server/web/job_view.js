@@ -47,6 +47,7 @@ const healthRows = [
   ["shadow rays cut", (h) => h.shadow_rays_cut, true],
   ["unmatched exits", (h) => h.unmatched_exits, true],
   ["triangles dropped", (h) => h.dropped_triangles, true],
+  ["pixels without a sample", (h) => h.unfinished_pass?.without_sample, true],
   ["total reflections", (h) => h.total_reflections],
 ];
 

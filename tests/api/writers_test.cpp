@@ -141,6 +141,7 @@ TEST(ReportWriter, WritesEverything) {
     EXPECT_EQ(json["format"], "bouguer-report/1");
     EXPECT_EQ(json["digest"], "sha256-aa");
     EXPECT_TRUE(json["scene_digest"].is_null());
+    EXPECT_TRUE(json["health"]["unfinished_pass"].is_null());
     EXPECT_EQ(json["health"]["rejected"]["total"], 3);
     EXPECT_EQ(json["health"]["rejected"]["examples"][0]["kind"], "nan");
     EXPECT_EQ(json["plan"]["items"][0]["feature"], "absorption");

@@ -131,7 +131,7 @@ int main(int argc, char** argv) {
         RecordingGeometry::record = &rays;
         int i = 0;
         while (auto unit = render->next_unit()) {
-            if (i++ % 7 == 0) static_cast<void>(render->trace(*unit));
+            if (i++ % 7 == 0) render->trace(*unit);
             if (render->current_pass() > 0) break;
         }
         RecordingGeometry::record = nullptr;

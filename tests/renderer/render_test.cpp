@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
 #include <set>
+#include <thread>
 
 #include "renderer/film/unit_result.h"
 #include "renderer/pass_plan.h"
@@ -83,12 +85,14 @@ TEST(Render, TracesUnitsAsPureFunctions) {
     stop.samples = 4;
     const auto render = Render::create(scene, small(), stop).value();
     const Unit unit{2, 32, 32, 8, 8, 2, 2};
-    const auto first = render->trace(unit);
-    const auto second = render->trace(unit);
+    UnitResult first(unit, 2);
+    UnitResult second(unit, 2);
+    render->trace(first);
+    render->trace(second);
     for (int y = 32; y < 40; ++y) {
         for (int x = 32; x < 40; ++x) {
             for (std::uint32_t slot = 0; slot < 2; ++slot)
-                EXPECT_EQ(first->at(x, y, slot).sum, second->at(x, y, slot).sum);
+                EXPECT_EQ(first.at(x, y, slot).sum, second.at(x, y, slot).sum);
         }
     }
 }
@@ -139,7 +143,8 @@ TEST(Render, ShowsAPictureAfterEveryPass) {
     EXPECT_FALSE(render->picture());
     std::vector<std::uint32_t> samples;
     while (auto unit = render->next_unit()) {
-        if (render->merge(render->trace(*unit), 0)) samples.push_back(render->samples_done());
+        render->trace(*unit);
+        if (render->merge(*unit, 0)) samples.push_back(render->samples_done());
     }
     EXPECT_EQ(samples, (std::vector<std::uint32_t>{1, 2, 4, 7}));
     EXPECT_EQ(render->report().stopped_by, "samples");
@@ -153,11 +158,9 @@ TEST(Render, HandsOutAUnitAgainThatWasGivenBack) {
     StopRule stop;
     stop.samples = 1;
     const auto render = Render::create(still_life(matt(0.5)).build(), small(), stop).value();
-    const Unit unit = *render->next_unit();
+    const auto unit = render->next_unit();
     render->give_back(unit);
-    const Unit again = *render->next_unit();
-    EXPECT_EQ(again.x, unit.x);
-    EXPECT_EQ(again.y, unit.y);
+    EXPECT_EQ(render->next_unit(), unit);
 }
 
 TEST(Render, GivesUpAUnitWhenAsked) {
@@ -165,9 +168,142 @@ TEST(Render, GivesUpAUnitWhenAsked) {
     stop.samples = 1;
     const auto render = Render::create(still_life(matt(0.5)).build(), small(), stop).value();
     std::atomic<bool> give_up = true;
-    EXPECT_EQ(render->trace(*render->next_unit(), &give_up), nullptr);
+    TraceLimits limits;
+    limits.give_up = &give_up;
+    const auto unit = render->next_unit();
+    render->trace(*unit, limits);
+    EXPECT_EQ(unit->cursor, 0U);
+    EXPECT_EQ(unit->counters.rays, 0U) << "what is traced again is counted once";
     give_up = false;
-    EXPECT_NE(render->trace(*render->next_unit(), &give_up), nullptr);
+    render->trace(*unit, limits);
+    EXPECT_TRUE(unit->is_complete());
+}
+
+/// Renders on so many threads and leaves every unit after each sample.
+std::vector<float> render_in_pieces(int threads, std::shared_ptr<const Scene> scene,
+                                    const RenderSettings& settings, std::uint32_t samples) {
+    StopRule stop;
+    stop.samples = samples;
+    const auto render = Render::create(std::move(scene), settings, stop).value();
+    TraceLimits limits;
+    limits.pause_at = TraceLimits::Clock::now();
+    std::mutex mutex;
+    std::size_t most = 0;
+    const auto work = [&] {
+        std::unique_lock lock(mutex);
+        while (!render->finished()) {
+            const auto unit = render->next_unit();
+            lock.unlock();
+            const std::size_t before = unit ? unit->cursor : 0;
+            if (unit) render->trace(*unit, limits);
+            lock.lock();
+            if (!unit) continue;
+            most = std::max(most, unit->cursor - before);
+            if (unit->is_complete()) {
+                render->merge(*unit, 0);
+            } else {
+                render->give_back(unit);
+            }
+        }
+    };
+    std::vector<std::thread> pool;
+    for (int i = 0; i < threads; ++i) pool.emplace_back(work);
+    for (std::thread& thread : pool) thread.join();
+    EXPECT_EQ(most, 1U) << "samples at a time";
+    EXPECT_EQ(render->report().health.samples,
+              samples * static_cast<std::uint64_t>(settings.resolution.width) *
+                  static_cast<std::uint64_t>(settings.resolution.height));
+    return render->picture()->xyz;
+}
+
+TEST(Render, GivesTheSameBitsWhenUnitsAreLeftAndTakenUpAgain) {
+    const auto scene = still_life(green_glass()).build();
+    const auto whole = render_on(2, scene, small(), 5);
+    EXPECT_EQ(whole, render_in_pieces(1, scene, small(), 5));
+    EXPECT_EQ(whole, render_in_pieces(4, scene, small(), 5));
+}
+
+TEST(Render, CountsTheRaysOfUnitsThatWereLeft) {
+    StopRule stop;
+    stop.samples = 1;
+    const auto render = Render::create(still_life(matt(0.5)).build(), small(4, 4), stop).value();
+    TraceLimits limits;
+    limits.pause_at = TraceLimits::Clock::now();
+    std::uint64_t rays = 0;
+    while (auto unit = render->next_unit()) {
+        render->trace(*unit, limits);
+        if (unit->is_complete()) {
+            render->merge(*unit, 0);
+        } else {
+            render->give_back(unit);
+        }
+        EXPECT_GT(render->rays(), rays);
+        rays = render->rays();
+    }
+    EXPECT_EQ(rays, render->report().error.back().rays);
+}
+
+// 4 x 4 pixels are one unit; seven of its samples were traced when the time was over.
+TEST(Render, ShowsWhatThereIsOfAFirstPassWhoseTimeIsOver) {
+    const auto scene = still_life(matt(0.5)).build();
+    StopRule stop;
+    stop.seconds = 3;
+    stop.limit_s = 5;
+    const auto render = Render::create(scene, small(4, 4), stop).value();
+    EXPECT_GE(render->deadline_s().value(), 3);
+    EXPECT_LE(render->deadline_s().value(), 4);
+    TraceLimits limits;
+    limits.pause_at = TraceLimits::Clock::now();
+    const auto unit = render->next_unit();
+    for (int i = 0; i < 7; ++i) render->trace(*unit, limits);
+    render->give_back(unit);
+    render->end_late();
+    EXPECT_TRUE(render->finished());
+    EXPECT_EQ(render->samples_done(), 0U);
+    EXPECT_EQ(render->next_unit(), nullptr);
+    const Report report = render->report();
+    EXPECT_EQ(report.stopped_by, "seconds");
+    EXPECT_TRUE(report.error.empty()) << "nothing is known of it";
+    ASSERT_TRUE(report.health.unfinished_pass);
+    EXPECT_EQ(report.health.unfinished_pass->pixels, 16U);
+    EXPECT_EQ(report.health.unfinished_pass->without_sample, 9U);
+    const auto shown = render->picture()->xyz;
+    const auto whole = test::render(scene, small(4, 4), 1)->picture()->xyz;
+    for (std::size_t i = 0; i < shown.size(); ++i) EXPECT_EQ(shown[i], i < 21 ? whole[i] : 0) << i;
+    EXPECT_TRUE(encode_png(*render->picture(), {}));
+}
+
+TEST(Render, KeepsTheNewestCompletePassWhenTheTimeIsOver) {
+    const auto scene = still_life(matt(0.5)).build();
+    StopRule stop;
+    stop.limit_s = 5;
+    const auto render = Render::create(scene, small(4, 4), stop).value();
+    const auto first = render->next_unit();
+    render->trace(*first);
+    EXPECT_TRUE(render->merge(*first, 1e-3));
+    const auto second = render->next_unit();
+    TraceLimits limits;
+    limits.pause_at = TraceLimits::Clock::now();
+    render->trace(*second, limits);
+    render->give_back(second);
+    render->end_late();
+    EXPECT_EQ(render->report().stopped_by, "server-limit");
+    EXPECT_FALSE(render->report().health.unfinished_pass);
+    EXPECT_EQ(render->samples_done(), 1U);
+    EXPECT_EQ(render->picture()->xyz, test::render(scene, small(4, 4), 1)->picture()->xyz);
+}
+
+TEST(Render, GivesUpASampleWhenTheTimeIsOver) {
+    const auto scene = still_life(green_glass()).build();
+    StopRule stop;
+    stop.samples = 1;
+    const auto render = Render::create(scene, small(), stop).value();
+    TraceLimits limits;
+    limits.give_up_at = TraceLimits::Clock::now();
+    const auto unit = render->next_unit();
+    render->trace(*unit, limits);
+    EXPECT_EQ(unit->cursor, 0U);
+    EXPECT_EQ(unit->counters.rays, 0U);
 }
 
 // A grey scene takes one number a path, whatever stands in materials that no object has.
@@ -187,7 +323,10 @@ TEST(Render, StopsBySeconds) {
     stop.seconds = 10;
     const auto render = Render::create(still_life(matt(0.5)).build(), small(), stop).value();
     double clock = 0;
-    while (auto unit = render->next_unit()) render->merge(render->trace(*unit), clock += 0.5);
+    while (auto unit = render->next_unit()) {
+        render->trace(*unit);
+        render->merge(*unit, clock += 0.5);
+    }
     EXPECT_EQ(render->report().stopped_by, "seconds");
     EXPECT_GE(clock, 10);
 }
@@ -197,7 +336,10 @@ TEST(Render, StopsAtAnError) {
     stop.error = 0.05;
     stop.samples = 4096;
     const auto render = Render::create(still_life(matt(0.5)).build(), small(), stop).value();
-    while (auto unit = render->next_unit()) render->merge(render->trace(*unit), 0);
+    while (auto unit = render->next_unit()) {
+        render->trace(*unit);
+        render->merge(*unit, 0);
+    }
     const Report report = render->report();
     EXPECT_EQ(report.stopped_by, "error");
     EXPECT_LE(report.error.back().relative_rmse->high, 0.05);

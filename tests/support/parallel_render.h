@@ -33,9 +33,9 @@ inline double run_to_end(renderer::Render& render, int threads,
                 std::this_thread::yield();
                 continue;
             }
-            auto result = render.trace(*unit);
+            render.trace(*unit);
             lock.lock();
-            if (render.merge(std::move(result), elapsed()) && after_pass) after_pass();
+            if (render.merge(*unit, elapsed()) && after_pass) after_pass();
         }
     };
     std::vector<std::thread> pool;

@@ -65,7 +65,10 @@ inline std::unique_ptr<Render> render(std::shared_ptr<const Scene> scene,
     StopRule stop;
     stop.samples = samples;
     auto render = Render::create(std::move(scene), settings, stop).value();
-    while (auto unit = render->next_unit()) render->merge(render->trace(*unit), 0);
+    while (auto unit = render->next_unit()) {
+        render->trace(*unit);
+        render->merge(*unit, 0);
+    }
     return render;
 }
 

@@ -25,19 +25,19 @@ class FakeRender final : public renderer::Render {
         begin_pass();
     }
 
-    std::optional<renderer::Unit> next_unit() override {
-        if (waiting_.empty()) return std::nullopt;
-        const renderer::Unit unit = waiting_.front();
+    std::shared_ptr<renderer::UnitResult> next_unit() override {
+        if (waiting_.empty()) return nullptr;
+        auto unit = std::move(waiting_.front());
         waiting_.pop_front();
         return unit;
     }
-    std::unique_ptr<renderer::UnitResult> trace(const renderer::Unit& unit,
-                                                const std::atomic<bool>* give_up) const override {
-        if (on_trace_) on_trace_(unit);
-        if (give_up != nullptr && *give_up) return nullptr;
-        return std::make_unique<renderer::UnitResult>(unit, 2);
+    void trace(renderer::UnitResult& unit, const renderer::TraceLimits& limits) const override {
+        if (on_trace_) on_trace_(unit.unit());
+        if (limits.give_up != nullptr && *limits.give_up) return;
+        if (renderer::TraceLimits::Clock::now() >= limits.give_up_at) return;
+        unit.cursor = unit.num_samples();
     }
-    bool merge(std::unique_ptr<renderer::UnitResult>, double seconds) override {
+    bool merge(const renderer::UnitResult&, double seconds) override {
         if (--unmerged_ > 0) return false;
         if (on_pass_) on_pass_();
         ++pass_;
@@ -49,8 +49,12 @@ class FakeRender final : public renderer::Render {
         if (!finished()) begin_pass();
         return true;
     }
-    void give_back(const renderer::Unit& unit) override { waiting_.push_front(unit); }
-    bool finished() const override { return pass_ == passes_; }
+    void give_back(std::shared_ptr<renderer::UnitResult> unit) override {
+        waiting_.push_front(std::move(unit));
+    }
+    std::optional<double> deadline_s() const override { return deadline; }
+    void end_late() override { is_late_ = true; }
+    bool finished() const override { return is_late_ || pass_ == passes_; }
     std::uint32_t current_pass() const override { return pass_; }
     bool has_units() const override { return !waiting_.empty(); }
     double progress(double) const override { return static_cast<double>(pass_) / passes_; }
@@ -59,17 +63,24 @@ class FakeRender final : public renderer::Render {
     renderer::Report report() const override {
         renderer::Report report;
         report.error = curve_;
-        if (finished()) report.stopped_by = "samples";
+        if (finished()) report.stopped_by = is_late_ ? "seconds" : "samples";
+        if (is_late_ && pass_ == 0) report.health.unfinished_pass = renderer::UnfinishedPass{1, 1};
         return report;
     }
-    std::optional<renderer::Picture> picture() const override {
-        if (pass_ == 0) return std::nullopt;
-        return renderer::Picture{1, 1, {0.1F * static_cast<float>(pass_), 0.1F, 0.1F}};
+    std::shared_ptr<const renderer::Picture> picture() const override {
+        if (pass_ == 0 && !is_late_) return nullptr;
+        return std::make_shared<renderer::Picture>(
+            renderer::Picture{1, 1, {0.1F * static_cast<float>(pass_), 0.1F, 0.1F}});
     }
+
+    std::optional<double> deadline;  ///< set before it is used
 
   private:
     void begin_pass() {
-        for (int i = 0; i < units_; ++i) waiting_.push_back({pass_, i, 0, 1, 1, pass_, 1});
+        for (int i = 0; i < units_; ++i) {
+            waiting_.push_back(std::make_shared<renderer::UnitResult>(
+                renderer::Unit{pass_, i, 0, 1, 1, pass_, 1}, 2));
+        }
         unmerged_ = units_;
     }
 
@@ -77,7 +88,8 @@ class FakeRender final : public renderer::Render {
     const int units_;
     const OnTrace on_trace_;
     const std::function<void()> on_pass_;
-    std::deque<renderer::Unit> waiting_;
+    std::deque<std::shared_ptr<renderer::UnitResult>> waiting_;
+    bool is_late_ = false;
     int unmerged_ = 0;
     std::uint32_t pass_ = 0;
     std::vector<renderer::ErrorPoint> curve_;

@@ -194,11 +194,10 @@ TEST_F(JobManagerTest, ANewJobShowsSomethingWhileALongOneRuns) {
     EXPECT_EQ(state_of(*manager, long_job), JobState::Running);
 }
 
-TEST_F(JobManagerTest, CancelsARunningJobWithinASecond) {
+TEST_F(JobManagerTest, CancelsARunningJob) {
     const auto manager = start();
     const JobId id = submit(*manager, endless_job());
     wait_for_picture(*manager, id);
-    const auto begin = std::chrono::steady_clock::now();
     const auto cancelled = manager->cancel(id);
     ASSERT_TRUE(cancelled);
     EXPECT_EQ(cancelled->job.state, JobState::Cancelled);
@@ -206,11 +205,20 @@ TEST_F(JobManagerTest, CancelsARunningJobWithinASecond) {
         const auto file = manager->file(id, "image.png");
         return file && file->final;
     });
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, 1s);
     const auto again = manager->cancel(id);
     ASSERT_TRUE(again) << "cancelling is idempotent";
     EXPECT_EQ(again->job.state, JobState::Cancelled);
     EXPECT_GT(again->progress.samples, 0U);
+}
+
+TEST_F(JobManagerTest, EndsAJobAtTheServersLimit) {
+    const auto manager = start({.threads = 2, .max_seconds = 0.1});
+    const JobId id = submit(*manager, endless_job());
+    wait_for_end(*manager, id);
+    EXPECT_EQ(state_of(*manager, id), JobState::Done);
+    const std::string report = manager->file(id, "report.json")->content.all().value();
+    EXPECT_NE(report.find(R"("stopped_by":"server-limit")"), std::string::npos);
+    EXPECT_TRUE(manager->file(id, "image.png"));
 }
 
 TEST_F(JobManagerTest, CancelsAQueuedJob) {

@@ -8,6 +8,9 @@
 namespace bouguer::server {
 namespace {
 
+/// So that many of them fit into a turn.
+constexpr double kShort = 0.01;
+
 /// The ids of the next `n` steps, each run and charged `seconds` before the next is asked for.
 std::string run_steps(Scheduler& scheduler, int n, double seconds = 1) {
     std::string ids;
@@ -62,9 +65,9 @@ TEST(Scheduler, TakesAcceptedTasksAgainBeyondItsBound) {
 TEST(Scheduler, AFirstPassGoesBeforeLaterPasses) {
     Scheduler scheduler;
     ASSERT_TRUE(scheduler.add(task("a", 0, 2, 4)));
-    EXPECT_EQ(run_steps(scheduler, 3), "aaa");
+    EXPECT_EQ(run_steps(scheduler, 3, kShort), "aaa");
     ASSERT_TRUE(scheduler.add(task("b", 0, 2, 0)));
-    EXPECT_EQ(run_steps(scheduler, 10), "bbaaa");
+    EXPECT_EQ(run_steps(scheduler, 10, kShort), "bbaaa");
 }
 
 // Urgency comes before priority: a low job's first pass before a high job's later ones.
@@ -88,7 +91,45 @@ TEST(Scheduler, OlderGoesFirstAmongEqualFirstPasses) {
     Scheduler scheduler;
     ASSERT_TRUE(scheduler.add(task("a", 0, 2, 0)));
     ASSERT_TRUE(scheduler.add(task("b", 0, 2, 0)));
-    EXPECT_EQ(run_steps(scheduler, 10), "aabb");
+    EXPECT_EQ(run_steps(scheduler, 10, kShort), "aabb");
+}
+
+// A turn is 0.25 s of a thread; steps of 0.125 s: two of them.
+TEST(Scheduler, FirstPassesTakeTurns) {
+    Scheduler scheduler;
+    ASSERT_TRUE(scheduler.add(task("a", 0, 6, 0)));
+    EXPECT_EQ(run_steps(scheduler, 2, 0.125), "aa");
+    ASSERT_TRUE(scheduler.add(task("b", 0, 4, 0)));
+    ASSERT_TRUE(scheduler.add(task("c", 0, 1, 0)));
+    EXPECT_EQ(run_steps(scheduler, 20, 0.125), "bbcaabbaa");
+}
+
+// Whoever has had a second of a thread without coming to the end of its first pass is no longer
+// urgent: a newcomer goes first, and later passes have their share.
+TEST(Scheduler, ALongFirstPassSharesWithLaterPasses) {
+    Scheduler scheduler;
+    ASSERT_TRUE(scheduler.add(task("a", 0, 100, 0)));
+    EXPECT_EQ(run_steps(scheduler, 4, 0.5), "aaaa");
+    ASSERT_TRUE(scheduler.add(task("b", 0, 1, 3)));
+    // b begins with the 2 s that a has had and takes its first pass; then whoever has had less time
+    // goes, and of two that have had the same the older: half and half.
+    EXPECT_EQ(run_steps(scheduler, 8, 0.5), "baababab");
+}
+
+TEST(Scheduler, GivesOneTaskOnlySoManyStepsAtATime) {
+    Scheduler scheduler;
+    ASSERT_TRUE(scheduler.add(task("a", 0, 5, 0)));
+    ASSERT_TRUE(scheduler.add(task("b", 0, 5, 0)));
+    std::vector<Scheduler::Work> under_way;
+    std::string ids;
+    while (auto work = scheduler.next(2)) {
+        ids += work->task->id();
+        under_way.push_back(std::move(*work));
+    }
+    EXPECT_EQ(ids, "aabb");
+    under_way.front().run();
+    scheduler.charge(*under_way.front().task, kShort);
+    EXPECT_EQ(scheduler.next(2)->task->id(), "a");
 }
 
 TEST(Scheduler, EqualsShareTheirLaterPasses) {

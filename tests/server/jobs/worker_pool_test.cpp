@@ -69,6 +69,74 @@ TEST(WorkerPool, AStepThatThrowsFailsItsTaskAndTheWorkerLivesOn) {
     EXPECT_EQ(good->steps_done(), 3);
 }
 
+// On one thread; the first step ends only when the other task's has run.
+TEST(WorkerPool, ALongStepLosesItsPlace) {
+    Scheduler scheduler;
+    WorkerPool pool(scheduler, 1);
+    std::promise<void> begun;
+    std::promise<void> other_has_run;
+    const auto step = [&] {
+        begun.set_value();
+        EXPECT_EQ(other_has_run.get_future().wait_for(20s), std::future_status::ready);
+    };
+    const auto slow = std::make_shared<FakeTask>("slow", 9, 1, 0, 1, step);
+    ASSERT_TRUE(scheduler.add(slow));
+    pool.wake();
+    begun.get_future().wait();
+    const auto other =
+        std::make_shared<FakeTask>("other", 0, 1, 0, 1, [&] { other_has_run.set_value(); });
+    ASSERT_TRUE(scheduler.add(other));
+    pool.wake();
+    EXPECT_TRUE(wait_for(*slow));
+    EXPECT_TRUE(wait_for(*other));
+}
+
+// The spare workers are for others: of one task no more runs at a time, however long it takes.
+TEST(WorkerPool, ATaskHasNeverMoreStepsUnderWayThanThereAreThreads) {
+    Scheduler scheduler;
+    WorkerPool pool(scheduler, 1);
+    std::atomic<int> inside = 0;
+    std::atomic<int> most = 0;
+    std::promise<void> all_others_ran;
+    const auto released = all_others_ran.get_future().share();
+    const auto slow = std::make_shared<FakeTask>("slow", 9, 2, 0, 1, [&] {
+        most = std::max<int>(most, ++inside);
+        released.wait();
+        --inside;
+    });
+    std::atomic<int> left = 50;
+    const auto other = std::make_shared<FakeTask>("other", 0, 50, 0, 1, [&] {
+        if (--left == 0) all_others_ran.set_value();
+    });
+    ASSERT_TRUE(scheduler.add(slow));
+    ASSERT_TRUE(scheduler.add(other));
+    pool.wake();
+    EXPECT_TRUE(wait_for(*other));
+    EXPECT_TRUE(wait_for(*slow));
+    EXPECT_EQ(most, 1);
+}
+
+// Several tasks whose steps are long: each has its share of the spares, and all come back.
+TEST(WorkerPool, WorkersOfLongStepsComeBack) {
+    Scheduler scheduler;
+    WorkerPool pool(scheduler, 2);
+    for (int round = 0; round < 2; ++round) {
+        std::promise<void> all_inside;
+        std::atomic<int> inside = 0;
+        const auto both = all_inside.get_future().share();
+        std::vector<std::shared_ptr<FakeTask>> tasks;
+        for (int i = 0; i < 3; ++i) {
+            tasks.push_back(std::make_shared<FakeTask>("t", 0, 2, 0, 1, [&] {
+                if (++inside == 6) all_inside.set_value();
+                EXPECT_EQ(both.wait_for(20s), std::future_status::ready);
+            }));
+            ASSERT_TRUE(scheduler.add(tasks.back()));
+        }
+        pool.wake();
+        for (const auto& task : tasks) EXPECT_TRUE(wait_for(*task)) << round;
+    }
+}
+
 TEST(WorkerPool, StopLetsTheStepUnderWayEndAndBeginsNoOther) {
     Scheduler scheduler;
     WorkerPool pool(scheduler, 1);

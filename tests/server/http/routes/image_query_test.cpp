@@ -24,7 +24,7 @@ class ImageQueryTest : public ServerTest {
     JobId add_job(const OutputSettings& settings) {
         const JobId job = jobs.add();
         renderer::Report report;
-        auto files = result_files(film, report, settings, {});
+        auto files = result_files(&film, report, settings, {});
         EXPECT_TRUE(files);
         for (auto& [name, bytes] : *files) {
             const std::string digest = api::sha256_hex(bytes);
