@@ -22,7 +22,7 @@ inline std::string read_file(const std::filesystem::path& path) {
 }
 
 /// The files of one folder. For tests: names are trusted.
-class FolderAssets final : public NamedBytes {
+class FolderAssets final : public tests::NamedBytes {
   public:
     explicit FolderAssets(std::filesystem::path root) : root_(std::move(root)) {}
     [[nodiscard]] Result<std::string> bytes(std::string_view name) const override {
