@@ -33,6 +33,30 @@ Crop area_of(const RenderSettings& settings) {
         Crop{0, 0, settings.resolution.width, settings.resolution.height});
 }
 
+/// Goes through the samples of a unit from its cursor on: all of a pixel, then the next pixel of
+/// the row, then the next row.
+struct NextSample {
+    explicit NextSample(const UnitResult& result) : unit(result.unit()) {
+        const std::size_t pixel = result.cursor / unit.num_samples;
+        const auto width = static_cast<std::size_t>(unit.width);
+        x = unit.x + static_cast<int>(pixel % width);
+        y = unit.y + static_cast<int>(pixel / width);
+        sample = unit.first_sample + static_cast<std::uint32_t>(result.cursor % unit.num_samples);
+    }
+
+    void advance() {
+        if (++sample < unit.first_sample + unit.num_samples) return;
+        sample = unit.first_sample;
+        if (++x < unit.x + unit.width) return;
+        x = unit.x;
+        ++y;
+    }
+
+    const Unit unit;
+    int x = 0, y = 0;
+    std::uint32_t sample = 0;
+};
+
 class ProgressiveRender final : public Render {
   public:
     ProgressiveRender(std::shared_ptr<const Scene> scene, Camera camera,
@@ -68,9 +92,9 @@ class ProgressiveRender final : public Render {
     void trace(UnitResult& unit, const TraceLimits& limits) const override {
         const auto scratch = integrator_->make_scratch();
         scratch->limits = limits;
-        while (!unit.is_complete()) {
+        for (NextSample next(unit); !unit.is_complete(); next.advance()) {
             const TraceCounters before = unit.counters;
-            if (!trace_sample(unit, *scratch)) {
+            if (!trace_sample(unit, next, *scratch)) {
                 unit.counters = before;  // it will be traced again
                 return;
             }
@@ -159,21 +183,15 @@ class ProgressiveRender final : public Render {
         return stop_.limit_s && !(stop_.seconds && *stop_.seconds <= *stop_.limit_s);
     }
 
-    /// The next sample of `unit`; false when it was given up.
-    [[nodiscard]] bool trace_sample(UnitResult& unit, TraceScratch& scratch) const {
-        const Unit& u = unit.unit();
-        const std::size_t pixel = unit.cursor / u.num_samples;
-        const auto width = static_cast<std::size_t>(u.width);
-        const int x = u.x + static_cast<int>(pixel % width);
-        const int y = u.y + static_cast<int>(pixel / width);
-        const auto sample =
-            u.first_sample + static_cast<std::uint32_t>(unit.cursor % u.num_samples);
-        const PixelSampler sampler(settings_.seed, x, y, sample, film_.replicates());
+    /// False when it was given up.
+    [[nodiscard]] bool trace_sample(UnitResult& unit, const NextSample& next,
+                                    TraceScratch& scratch) const {
+        const PixelSampler sampler(settings_.seed, next.x, next.y, next.sample, film_.replicates());
         const Vec2 offset = sample_filter(settings_.filter, sampler.get_2d(kDimensionFilm));
-        const Ray ray = camera_.generate({x + 0.5 + offset.x, y + 0.5 + offset.y});
+        const Ray ray = camera_.generate({next.x + 0.5 + offset.x, next.y + 0.5 + offset.y});
         const Xyz value = integrator_->trace(ray, sampler, scratch, unit.counters);
         if (scratch.has_given_up()) return false;
-        unit.add_sample(x, y, sample, value);
+        unit.add_sample(next.x, next.y, next.sample, value);
         ++unit.cursor;
         return true;
     }
