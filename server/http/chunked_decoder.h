@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Removes the chunked transfer coding [RFC 9112 §7.1] as the bytes come in.
+// Removes the chunked transfer coding [RFC 9112 §7.1] as the bytes come in. Read strictly: what
+// another reader might take for the end of a chunk or of the body is refused.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,8 @@ class ChunkedDecoder {
     explicit ChunkedDecoder(std::size_t limit) : limit_(limit) {}
 
     /// Takes what it can from the front of `in` and appends the decoded bytes to `out`. Bytes after
-    /// the last chunk stay in `in`. Chunk extensions and trailers are skipped, and bounded.
+    /// the last chunk stay in `in`. Chunk extensions and trailers must be well-formed;
+    /// they are skipped, and bounded.
     Result feed(std::string& in, std::string& out);
 
   private:

@@ -33,6 +33,12 @@ bool is_field_value(std::string_view text) {
     return std::all_of(text.begin(), text.end(), is_value_char);
 }
 
+bool is_field_line(std::string_view line) {
+    const auto colon = line.find(':');
+    return colon != std::string_view::npos && is_token(line.substr(0, colon)) &&
+           is_field_value(line.substr(colon + 1));
+}
+
 bool is_quoted_string(std::string_view text) {
     if (text.size() < 2 || text.front() != '"' || text.back() != '"') return false;
     const std::string_view inside = text.substr(1, text.size() - 2);

@@ -16,6 +16,9 @@ namespace bouguer::server {
 /// bytes over 127.
 [[nodiscard]] bool is_field_value(std::string_view text);
 
+/// "name: value" [RFC 9112 §5] without the line's end: a field, or a trailer.
+[[nodiscard]] bool is_field_line(std::string_view line);
+
 /// "quoted string" [RFC 9110 §5.6.4] with its quotes.
 [[nodiscard]] bool is_quoted_string(std::string_view text);
 

@@ -56,6 +56,44 @@ TEST(ChunkedDecoder, RefusesWhatIsBroken) {
     EXPECT_EQ(decode(std::string(2000, '1')).result, Result::Malformed);
 }
 
+TEST(ChunkedDecoder, SkipsGoodExtensionsAndTrailers) {
+    for (const char* text : {"1;a\r\nx\r\n0\r\n\r\n", "1;a=b;c=\"d; e\\\"f\";g\r\nx\r\n0;h\r\n\r\n",
+                             "1\r\nx\r\n0\r\nA: b\r\nC:\r\n\r\n"}) {
+        EXPECT_EQ(decode(text).result, Result::Done) << text;
+    }
+}
+
+// Each of these was read by somebody as another size or another end.
+TEST(ChunkedDecoder, RefusesBrokenExtensionsAndTrailers) {
+    for (const char* text : {"2 x\r\n",
+                             "2 \r\n",
+                             "2\t;a\r\n",
+                             "2 ;a\r\n",
+                             "2; a\r\n",
+                             "2;a \r\n",
+                             "2;a =b\r\n",
+                             "2;a= b\r\n",
+                             "2;\r\n",
+                             "2;=b\r\n",
+                             "2;a=\r\n",
+                             "2;a=b c\r\n",
+                             "2;a\rb\r\n",
+                             "2\rx\r\n",
+                             "2;a=\"b\r\n",
+                             "2;a=\"b\"c\r\n",
+                             "2;a=\"\r\"\r\n",
+                             "2;a=\"\\\"\r\n",
+                             "0\r\nno colon\r\n\r\n",
+                             "0\r\nname : v\r\n\r\n",
+                             "0\r\n: v\r\n\r\n",
+                             "0\r\n folded: v\r\n\r\n",
+                             "0\r\nA: b\rc\r\n\r\n",
+                             "0\r\nA: \x7f\r\n\r\n"}) {
+        EXPECT_EQ(decode(text).result, Result::Malformed) << text;
+    }
+    EXPECT_EQ(decode(std::string("2;\0\r\n", 6)).result, Result::Malformed);
+}
+
 // Extensions and trailers cost the sender nothing: they may not outweigh the data for ever.
 TEST(ChunkedDecoder, BoundsWhatIsNoData) {
     std::string trailers = "0\r\n";
