@@ -10,6 +10,7 @@
 #include "renderer/integrators/integrator_registry.h"
 #include "renderer/spectrum/observer.h"
 #include "server/cli/document.h"
+#include "server/cli/listen_address.h"
 #include "server/http/authority.h"
 
 namespace bouguer::server {
@@ -26,6 +27,13 @@ CLI::Validator within(double low, double high) {
                 return is_good ? std::string() : text + " is not a number in " + range;
             },
             "in " + range};
+}
+
+CLI::Validator listen_address() {
+    return {[](const std::string& text) {
+                return listen_address_from(text) ? std::string() : text + " is not HOST:PORT";
+            },
+            ""};
 }
 
 CLI::Validator host_name() {
@@ -140,6 +148,22 @@ void add_serve(CLI::App& app, ServeOptions& o) {
                    "--allow-remote, too")
         ->check(host_name())
         ->type_name("HOST[:PORT]");
+    const CLI::Range connections(std::size_t{1}, std::size_t{1'000'000});
+    app.add_option("--max-connections", o.max_connections,
+                   "connections that may be open at once, event streams included; 16384 unless "
+                   "said, and never more than the limit of open files has room for. Beyond: 503, "
+                   "but for /livez and /readyz, which have places of their own")
+        ->check(connections)
+        ->type_name("N");
+    app.add_option("--max-connections-per-address", o.max_connections_per_address,
+                   "of one client (an IPv4 address, an IPv6 /64), which has the same part of "
+                   "buffers and of waiting requests; a quarter of all unless said")
+        ->check(connections)
+        ->type_name("N");
+    app.add_option("--health-listen", o.health_listen,
+                   "address of a listener of its own for /livez and /readyz, and for nothing else")
+        ->check(listen_address())
+        ->type_name("HOST:PORT");
     app.add_option("--drain-delay", o.drain_delay_s,
                    "seconds after SIGTERM in which /readyz says 503 and no job is taken, but all "
                    "else is served; then the daemon closes. A second signal ends it at once")

@@ -62,6 +62,11 @@ HttpOptions http_options(const ServeOptions& options, const ListenAddress& addre
     for (const std::string& host : options.allowed_hosts) {
         if (auto allowed = authority_from(host)) http.allowed_hosts.push_back(std::move(*allowed));
     }
+    http.max_connections = options.max_connections;
+    http.max_connections_per_client = options.max_connections_per_address;
+    if (const auto health = listen_address_from(options.health_listen)) {
+        http.health = HealthAddress{health->host, health->port};
+    }
     HttpLimits& limits = http.limits;
     limits.buffered_bytes = memory.buffers;
     limits.upload_bytes = memory.uploads;

@@ -39,7 +39,10 @@ struct ServeOptions {
     double max_seconds = 86'400;  ///< of rendering one job
     std::size_t queue = 1000;     ///< jobs that wait or run
     std::vector<std::string> cors_origins;
-    std::vector<std::string> allowed_hosts;  ///< HOST or HOST:PORT, as requests may name us
+    std::vector<std::string> allowed_hosts;       ///< HOST or HOST:PORT, as requests may name us
+    std::size_t max_connections = 0;              ///< 0: as HttpOptions has it
+    std::size_t max_connections_per_address = 0;  ///< likewise
+    std::string health_listen;                    ///< HOST:PORT; empty: no listener of its own
     int drain_delay_s = 0;  ///< from SIGTERM, when /readyz turns, to the closing of the listener
 };
 

@@ -28,13 +28,34 @@ TEST(CommandLine, ServeListensToThisMachineOnlyByDefault) {
 }
 
 TEST(CommandLine, ReadsServe) {
-    const auto serve =
-        options<ServeOptions>({"serve",          "--listen", "0.0.0.0:0",      "--allow-remote",
-                               "--data",         "d",        "--assets",       "a",
-                               "--threads",      "3",        "--queue",        "7",
-                               "--max-seconds",  "90.5",     "--cors-origin",  "https://a.example",
-                               "--drain-delay",  "15",       "--allowed-host", "render.example",
-                               "--allowed-host", "[::1]:80"});
+    const auto serve = options<ServeOptions>({"serve",
+                                              "--listen",
+                                              "0.0.0.0:0",
+                                              "--allow-remote",
+                                              "--data",
+                                              "d",
+                                              "--assets",
+                                              "a",
+                                              "--threads",
+                                              "3",
+                                              "--queue",
+                                              "7",
+                                              "--max-seconds",
+                                              "90.5",
+                                              "--cors-origin",
+                                              "https://a.example",
+                                              "--drain-delay",
+                                              "15",
+                                              "--allowed-host",
+                                              "render.example",
+                                              "--allowed-host",
+                                              "[::1]:80",
+                                              "--max-connections",
+                                              "500",
+                                              "--max-connections-per-address",
+                                              "50",
+                                              "--health-listen",
+                                              "127.0.0.1:9"});
     EXPECT_EQ(serve.listen, "0.0.0.0:0");
     EXPECT_TRUE(serve.allow_remote);
     EXPECT_EQ(serve.data, "d");
@@ -45,6 +66,9 @@ TEST(CommandLine, ReadsServe) {
     EXPECT_EQ(serve.cors_origins, std::vector<std::string>{"https://a.example"});
     EXPECT_EQ(serve.drain_delay_s, 15);
     EXPECT_EQ(serve.allowed_hosts, (std::vector<std::string>{"render.example", "[::1]:80"}));
+    EXPECT_EQ(serve.max_connections, 500U);
+    EXPECT_EQ(serve.max_connections_per_address, 50U);
+    EXPECT_EQ(serve.health_listen, "127.0.0.1:9");
 }
 
 TEST(CommandLine, ReadsRender) {
