@@ -57,4 +57,22 @@ Result<std::string> take_required(std::map<std::string, std::string>& query,
     return std::move(taken.mapped());
 }
 
+std::string take_optional(std::map<std::string, std::string>& query, const std::string& name) {
+    auto taken = query.extract(name);
+    return taken.empty() ? std::string() : std::move(taken.mapped());
+}
+
+Result<void> expect_empty(const std::map<std::string, std::string>& query) {
+    if (query.empty()) return {};
+    std::vector<Problem> problems;
+    for (const auto& [name, text] : query) {
+        problems.push_back({.pointer = "",
+                            .code = "unknown-key",
+                            .detail = about(name) + " has no meaning here",
+                            .found = text,
+                            .allowed = ""});
+    }
+    return tl::unexpected(invalid_query(std::move(problems)));
+}
+
 }  // namespace bouguer::server

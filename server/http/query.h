@@ -28,4 +28,11 @@ namespace bouguer::server {
                                                 const std::string& name,
                                                 const std::string& allowed);
 
+/// Takes `name` out of `query`; "" when it is not there.
+[[nodiscard]] std::string take_optional(std::map<std::string, std::string>& query,
+                                        const std::string& name);
+
+/// Refuses what nobody has taken out of `query`: every parameter by its name.
+[[nodiscard]] Result<void> expect_empty(const std::map<std::string, std::string>& query);
+
 }  // namespace bouguer::server

@@ -17,6 +17,17 @@ bool matches(std::string_view field, const std::string& quoted_tag) {
     return field.find(quoted_tag) != std::string_view::npos;
 }
 
+/// Likewise by strong comparison: a weak tag never matches.
+bool matches_strongly(std::string_view field, const std::string& quoted_tag) {
+    const auto first = field.find_first_not_of(" \t");
+    if (first != std::string_view::npos && field.substr(first, 1) == "*") return true;
+    for (auto at = field.find(quoted_tag); at != std::string_view::npos;
+         at = field.find(quoted_tag, at + 1)) {
+        if (at == 0 || field[at - 1] != '/') return true;
+    }
+    return false;
+}
+
 /// If-Range compares strongly, and a date never matches: there is no Last-Modified here.
 bool range_applies(const httplib::Request& request, const std::string& quoted_tag) {
     return !request.has_header("If-Range") || request.get_header_value("If-Range") == quoted_tag;
@@ -66,8 +77,23 @@ std::optional<std::size_t> choose_type(const httplib::Request& request, httplib:
     return chosen;
 }
 
+bool meets_if_match(const httplib::Request& request, httplib::Response& response,
+                    const std::string& tag, std::string_view request_id) {
+    if (!request.has_header("If-Match") ||
+        matches_strongly(request.get_header_value("If-Match"), '"' + tag + '"')) {
+        return true;
+    }
+    send_problem(response,
+                 Refusal{412, "precondition-failed",
+                         "It is not, or no longer, what If-Match expects: ask again for its ETag."},
+                 request_id);
+    return false;
+}
+
 void send_representation(const httplib::Request& request, httplib::Response& response,
                          Representation representation, Exchange& exchange) {
+    // before If-None-Match [RFC 9110 §13.2.2]
+    if (!meets_if_match(request, response, representation.tag, exchange.request_id)) return;
     const std::string tag = '"' + representation.tag + '"';
     response.status = 200;
     response.set_header("ETag", tag);

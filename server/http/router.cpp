@@ -9,6 +9,7 @@
 #include "server/http/origin_policy.h"
 #include "server/http/plain_answer.h"
 #include "server/http/problems.h"
+#include "server/http/query.h"
 
 namespace bouguer::server {
 namespace {
@@ -104,16 +105,20 @@ Router::Router(std::vector<std::string> cors_origins) : cors_origins_(std::move(
 }
 
 httplib::Server::Handler Router::remember(std::string method, const std::string& pattern,
-                                          Handler handler) {
+                                          Handler handler, Query query) {
     routes_.push_back({std::move(method), std::regex(pattern)});
-    return [handler = std::move(handler)](const httplib::Request& request,
-                                          httplib::Response& response) {
+    return [handler = std::move(handler), query](const httplib::Request& request,
+                                                 httplib::Response& response) {
+        if (query == Query::None) {
+            const auto empty = query_of(request).and_then(expect_empty);
+            if (!empty) return send_problem(response, empty.error(), current_exchange->request_id);
+        }
         handler(request, response, *current_exchange);
     };
 }
 
-void Router::get(const std::string& pattern, Handler handler) {
-    engine_.Get(pattern, remember("GET", pattern, std::move(handler)));
+void Router::get(const std::string& pattern, Handler handler, Query query) {
+    engine_.Get(pattern, remember("GET", pattern, std::move(handler), query));
 }
 void Router::post(const std::string& pattern, Handler handler) {
     engine_.Post(pattern, remember("POST", pattern, std::move(handler)));

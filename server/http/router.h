@@ -17,6 +17,13 @@
 namespace bouguer::server {
 
 /// Routes are added before the first handle(); from then on every member is thread-safe.
+/// What a route makes of the query of its target.
+enum class Query {
+    None,     ///< there is nothing to ask for: a parameter is refused (but query_of()'s `v`)
+    Ignored,  ///< one that means something to its neighbours may stand behind it as well
+    Read      ///< the handler reads it by query_of() and refuses what it does not know
+};
+
 class Router {
   public:
     /// Fills `response`; may throw, which becomes a 500 without the exception's text.
@@ -26,7 +33,7 @@ class Router {
     explicit Router(std::vector<std::string> cors_origins);
 
     /// `pattern`: a regular expression (ECMAScript) for the whole path. GET routes serve HEAD too.
-    void get(const std::string& pattern, Handler handler);
+    void get(const std::string& pattern, Handler handler, Query query = Query::None);
     void post(const std::string& pattern, Handler handler);
     /// The body may be of any media type: what is put is judged by its content.
     void put(const std::string& pattern, Handler handler);
@@ -42,7 +49,7 @@ class Router {
     };
 
     httplib::Server::Handler remember(std::string method, const std::string& pattern,
-                                      Handler handler);
+                                      Handler handler, Query query = Query::None);
     void process(Exchange& exchange);
     /// "GET, HEAD, OPTIONS" ...; empty when no route has this path.
     [[nodiscard]] std::string allowed_methods(const std::string& path) const;

@@ -92,15 +92,19 @@ void send(const JobService& jobs, ImageWork& images, std::string_view type, cons
 }  // namespace
 
 void add_compare_routes(Router& router, const JobService& jobs, ImageWork& images) {
-    router.get("/v1/compare",
-               [&jobs, &images](const Request& request, Response& response, Exchange& exchange) {
-                   const auto chosen = choose_type(request, response, kTypes, exchange.request_id);
-                   if (chosen) send(jobs, images, kTypes[*chosen], request, response, exchange);
-               });
-    router.get("/v1/compare\\.png",
-               [&jobs, &images](const Request& request, Response& response, Exchange& exchange) {
-                   send(jobs, images, "image/png", request, response, exchange);
-               });
+    router.get(
+        "/v1/compare",
+        [&jobs, &images](const Request& request, Response& response, Exchange& exchange) {
+            const auto chosen = choose_type(request, response, kTypes, exchange.request_id);
+            if (chosen) send(jobs, images, kTypes[*chosen], request, response, exchange);
+        },
+        Query::Read);
+    router.get(
+        "/v1/compare\\.png",
+        [&jobs, &images](const Request& request, Response& response, Exchange& exchange) {
+            send(jobs, images, "image/png", request, response, exchange);
+        },
+        Query::Read);
 }
 
 }  // namespace bouguer::server

@@ -60,27 +60,42 @@ std::string next_link(const std::string& cursor, std::size_t limit, const std::s
     return link + "&cursor=" + cursor + ">; rel=\"next\"";
 }
 
-/// GET /v1/jobs?limit=&cursor=&state=
+/// What GET /v1/jobs?limit=&cursor=&state= asks for.
+struct ListQuery {
+    std::size_t limit = kDefaultLimit;
+    std::string cursor, state_text;
+    std::optional<JobState> state;
+};
+
+Result<ListQuery> read_list_query(const Request& request) {
+    auto texts = query_of(request);
+    if (!texts) return tl::unexpected(texts.error());
+    const std::string limit = take_optional(*texts, "limit");
+    ListQuery query;
+    query.cursor = take_optional(*texts, "cursor");
+    query.state_text = take_optional(*texts, "state");
+    if (auto all_taken = expect_empty(*texts); !all_taken) return tl::unexpected(all_taken.error());
+    if (!limit.empty()) query.limit = small_number(limit).value_or(0);
+    if (query.limit == 0 || query.limit > kLargestLimit) {
+        return tl::unexpected(
+            bad_parameter("limit", "out-of-range", limit, "a number in [1, 100]"));
+    }
+    query.state = job_state_from(query.state_text);
+    if (!query.state && !query.state_text.empty()) {
+        return tl::unexpected(bad_parameter("state", "unknown-name", query.state_text,
+                                            "queued, running, done, failed or cancelled"));
+    }
+    return query;
+}
+
+/// GET /v1/jobs
 void list(const JobService& jobs, const Request& request, Response& response, Exchange& exchange) {
-    const std::string limit_text = request.get_param_value("limit");
-    const auto limit = limit_text.empty() ? kDefaultLimit : small_number(limit_text).value_or(0);
-    if (limit == 0 || limit > kLargestLimit) {
-        return send_problem(
-            response, bad_parameter("limit", "out-of-range", limit_text, "a number in [1, 100]"),
-            exchange.request_id);
-    }
-    const std::string state_text = request.get_param_value("state");
-    const auto state = job_state_from(state_text);
-    if (!state && !state_text.empty()) {
-        return send_problem(response,
-                            bad_parameter("state", "unknown-name", state_text,
-                                          "queued, running, done, failed or cancelled"),
-                            exchange.request_id);
-    }
-    const auto page = jobs.list(limit, request.get_param_value("cursor"), state);
+    const auto query = read_list_query(request);
+    if (!query) return send_problem(response, query.error(), exchange.request_id);
+    const auto page = jobs.list(query->limit, query->cursor, query->state);
     if (!page) return send_problem(response, page.error(), exchange.request_id);
     if (!page->next_cursor.empty()) {
-        response.set_header("Link", next_link(page->next_cursor, limit, state_text));
+        response.set_header("Link", next_link(page->next_cursor, query->limit, query->state_text));
     }
     set_json(response, 200, job_page_json(*page));
 }
@@ -128,16 +143,34 @@ void read(JobService& jobs, const HttpDeadlines& deadlines, const Request& reque
     send_representation(request, response, json_representation(job_json(*view)), exchange);
 }
 
+/// Whether the job is as If-Match says. False: the refusal has been sent. A job that changes
+/// between this look and what follows it is changed all the same.
+bool is_as_expected(const JobService& jobs, const JobId& id, const Request& request,
+                    Response& response, const Exchange& exchange) {
+    if (!request.has_header("If-Match")) return true;
+    const auto view = jobs.find(id);
+    if (!view) {
+        send_problem(response, view.error(), exchange.request_id);
+        return false;
+    }
+    return meets_if_match(request, response, json_representation(job_json(*view)).tag,
+                          exchange.request_id);
+}
+
 /// POST /v1/jobs/{id}/cancel
 void cancel(JobService& jobs, const Request& request, Response& response, Exchange& exchange) {
-    const auto view = jobs.cancel(request.matches[1]);
+    const JobId id = request.matches[1];
+    if (!is_as_expected(jobs, id, request, response, exchange)) return;
+    const auto view = jobs.cancel(id);
     if (!view) return send_problem(response, view.error(), exchange.request_id);
     set_json(response, 200, job_json(*view));
 }
 
 /// DELETE /v1/jobs/{id}
 void remove(JobService& jobs, const Request& request, Response& response, Exchange& exchange) {
-    const auto done = jobs.remove(request.matches[1]);
+    const JobId id = request.matches[1];
+    if (!is_as_expected(jobs, id, request, response, exchange)) return;
+    const auto done = jobs.remove(id);
     if (!done) return send_problem(response, done.error(), exchange.request_id);
     response.status = 204;
 }
@@ -149,9 +182,12 @@ void add_job_routes(Router& router, JobService& jobs, const HttpDeadlines& deadl
                 [&jobs](const Request& request, Response& response, Exchange& exchange) {
                     submit(jobs, request, response, exchange);
                 });
-    router.get("/v1/jobs", [&jobs](const Request& request, Response& response, Exchange& exchange) {
-        list(jobs, request, response, exchange);
-    });
+    router.get(
+        "/v1/jobs",
+        [&jobs](const Request& request, Response& response, Exchange& exchange) {
+            list(jobs, request, response, exchange);
+        },
+        Query::Read);
     router.get(job_path(),
                [&jobs, deadlines](const Request& request, Response& response, Exchange& exchange) {
                    read(jobs, deadlines, request, response, exchange);

@@ -84,20 +84,26 @@ void send_negotiated(const ResultContext& context, std::span<const Offer> offers
 void add_result_routes(Router& router, const JobService& jobs, ImageWork& images) {
     const ResultContext context{jobs, images};
     for (const NamedResult& result : kNamed) {
-        router.get(job_path(result.path),
-                   [context, file = std::string(result.file)](
-                       const Request& request, Response& response, Exchange& exchange) {
-                       send_file(context, file, request, response, exchange);
-                   });
+        router.get(
+            job_path(result.path),
+            [context, file = std::string(result.file)](const Request& request, Response& response,
+                                                       Exchange& exchange) {
+                send_file(context, file, request, response, exchange);
+            },
+            is_image(result.file) ? Query::Read : Query::Ignored);
     }
-    router.get(job_path("/image"),
-               [context](const Request& request, Response& response, Exchange& exchange) {
-                   send_negotiated(context, kImageOffers, request, response, exchange);
-               });
-    router.get(job_path("/error"),
-               [context](const Request& request, Response& response, Exchange& exchange) {
-                   send_negotiated(context, kErrorOffers, request, response, exchange);
-               });
+    router.get(
+        job_path("/image"),
+        [context](const Request& request, Response& response, Exchange& exchange) {
+            send_negotiated(context, kImageOffers, request, response, exchange);
+        },
+        Query::Read);
+    router.get(
+        job_path("/error"),
+        [context](const Request& request, Response& response, Exchange& exchange) {
+            send_negotiated(context, kErrorOffers, request, response, exchange);
+        },
+        Query::Ignored);
 }
 
 }  // namespace bouguer::server

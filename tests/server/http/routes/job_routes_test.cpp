@@ -72,6 +72,39 @@ TEST_F(JobRoutesTest, ListRefusesWhatItDoesNotKnow) {
     EXPECT_EQ(ask("GET", "/v1/jobs?state=running&limit=100").status, 200);
 }
 
+TEST_F(JobRoutesTest, ParametersThatMeanNothingAreRefusedByName) {
+    start();
+    const auto twice = ask("GET", "/v1/jobs?limit=1&limit=2");
+    EXPECT_TRUE(is_problem(twice, 422, "invalid-query"));
+    EXPECT_NE(twice.body.find("query parameter limit"), std::string::npos);
+    const auto unknown = ask("GET", "/v1/jobs?limt=1&status=done&limit=5");
+    EXPECT_TRUE(is_problem(unknown, 422, "invalid-query"));
+    EXPECT_NE(unknown.body.find("query parameter limt"), std::string::npos);
+    EXPECT_NE(unknown.body.find("query parameter status"), std::string::npos);
+    const JobId id = jobs.add();
+    for (const char* target : {"/v1/library?a=1", "/v1/library/spectra/D65?a=1", "/docs?a=1"}) {
+        EXPECT_TRUE(is_problem(ask("GET", target), 422, "invalid-query")) << target;
+    }
+    EXPECT_TRUE(is_problem(ask("GET", path_of(id, "?a=1")), 422, "invalid-query"));
+    EXPECT_TRUE(is_problem(ask("GET", path_of(id, "/events?a=1")), 422, "invalid-query"));
+    EXPECT_TRUE(is_problem(ask("POST", path_of(id, "/cancel?a=1")), 422, "invalid-query"));
+    EXPECT_EQ(ask("GET", "/?v=7").status, 200);
+}
+
+TEST_F(JobRoutesTest, ChangesNothingThatIsNotAsExpected) {
+    start();
+    const JobId id = jobs.add();
+    const std::string tag = ask("GET", path_of(id)).header("etag");
+    const std::string good = "If-Match: " + tag;
+    const std::string bad = "If-Match: \"0123\"";
+    EXPECT_TRUE(is_problem(ask("DELETE", path_of(id), {bad}), 412, "precondition-failed"));
+    EXPECT_TRUE(is_problem(ask("POST", path_of(id, "/cancel"), {bad}), 412, "precondition-failed"));
+    EXPECT_EQ(ask("GET", path_of(id), {good}).header("etag"), tag) << "nothing has changed";
+    EXPECT_EQ(ask("POST", path_of(id, "/cancel"), {good}).status, 200);
+    EXPECT_EQ(ask("DELETE", path_of(id), {"If-Match: *"}).status, 204);
+    EXPECT_EQ(ask("DELETE", path_of(id), {"If-Match: *"}).status, 404);
+}
+
 TEST_F(JobRoutesTest, WhatIsNoUuidIsNotFound) {
     start();
     const JobId id = jobs.add();

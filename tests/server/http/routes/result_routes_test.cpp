@@ -61,6 +61,19 @@ TEST_F(ResultRoutesTest, KnownTagsAnswer304) {
     EXPECT_EQ(image({"If-None-Match: \"zz\""}).status, 200);
 }
 
+// RFC 9110 §13.1.1: by strong comparison, so that a weak tag never matches.
+TEST_F(ResultRoutesTest, OtherTagsThanExpectedAnswer412) {
+    for (const char* field : {"\"aa11\"", "\"x\", \"aa11\"", "W/\"aa11\", \"aa11\"", "*"}) {
+        EXPECT_EQ(image({std::string("If-Match: ") + field}).status, 200) << field;
+    }
+    for (const char* field : {"\"x\"", "W/\"aa11\"", "aa11", ""}) {
+        EXPECT_TRUE(
+            is_problem(image({std::string("If-Match: ") + field}), 412, "precondition-failed"))
+            << field;
+    }
+    EXPECT_EQ(image({"If-Match: \"x\"", "If-None-Match: \"aa11\""}).status, 412);
+}
+
 TEST_F(ResultRoutesTest, RangesGivePartsWithTheEndClamped) {
     EXPECT_EQ(image({}).header("accept-ranges"), "bytes");
     const auto middle = image({"Range: bytes=2-4"});
