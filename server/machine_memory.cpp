@@ -117,7 +117,7 @@ std::uint64_t machine_memory_bytes(const fs::path& root) {
 MemoryShares share_memory(std::uint64_t machine_bytes) {
     const auto sixteenth = [&](std::uint64_t most) { return std::min(machine_bytes / 16, most); };
     return {machine_bytes / 2, sixteenth(512U << 20U), sixteenth(512U << 20U),
-            sixteenth(256U << 20U)};
+            sixteenth(256U << 20U), sixteenth(256U << 20U)};
 }
 
 }  // namespace bouguer::server

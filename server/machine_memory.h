@@ -16,14 +16,15 @@ namespace bouguer::server {
 /// Upper bounds, in bytes, that are below the machine's memory together: the rest is for the
 /// program, its threads, documents that are being read and the database.
 struct MemoryShares {
-    std::uint64_t jobs = 0;     ///< scenes, films and pictures of all running jobs
-    std::uint64_t scenes = 0;   ///< kept for jobs to come
-    std::uint64_t buffers = 0;  ///< requests and answers
-    std::uint64_t uploads = 0;  ///< files on their way in
+    std::uint64_t jobs = 0;      ///< scenes, films and pictures of all running jobs
+    std::uint64_t scenes = 0;    ///< kept for jobs to come
+    std::uint64_t buffers = 0;   ///< requests and answers
+    std::uint64_t uploads = 0;   ///< files on their way in
+    std::uint64_t accepted = 0;  ///< what was read of jobs that wait
 };
 
 /// Half for the jobs and a sixteenth each for the others, which need no more than 512 MiB, the
-/// uploads 256.
+/// uploads and what was accepted 256.
 [[nodiscard]] MemoryShares share_memory(std::uint64_t machine_bytes);
 
 }  // namespace bouguer::server

@@ -50,6 +50,7 @@ JobManagerOptions manager_options(const ServeOptions& options, const MemoryShare
     result.documents.memory_bytes =
         std::min(result.documents.memory_bytes, result.scheduler.memory_bytes);
     result.scene_cache_bytes = memory.scenes;
+    result.accepted_bytes = memory.accepted;
     return result;
 }
 

@@ -111,6 +111,7 @@ JobManager::JobManager(JobStore& jobs, ResultStore& results, const api::AssetSou
       results_(results),
       assets_(assets),
       options_(options),
+      accepted_(options.accepted_bytes),
       scenes_(options.scene_cache_bytes),
       scheduler_(options.scheduler),
       watch_([this] { return probe(); }, [this] { return catch_up(); }, options.storage_times) {}
@@ -192,7 +193,9 @@ Result<Job> JobManager::hand_back(const JobId& id) {
 
 std::shared_ptr<RenderTask> JobManager::make_task(const Job& job) {
     auto prepare = [this, id = job.id]() -> Result<PreparedRender> {
-        auto request = stored_request(jobs_, id, options_.documents, assets_);
+        auto accepted = accepted_.take(id);
+        auto request = accepted ? Result<api::JobRequest>(*std::move(accepted))
+                                : stored_request(jobs_, id, options_.documents, assets_);
         if (!request) return tl::unexpected(request.error());
         request->stop.limit_s = options_.max_seconds;
         return prepare_render(*request, scenes_);
@@ -221,8 +224,11 @@ Result<SubmitResult> JobManager::submit(const std::string& body,
     if (auto fits = check_memory(job.memory_bytes, options_.documents.memory_bytes); !fits) {
         return tl::unexpected(fits.error());
     }
+    const std::uint64_t scene_bytes = scene_memory_bytes(request->scene);
+    accepted_.keep(job.id, *std::move(request), scene_bytes);  // before a worker can ask for it
     bool replayed = false;
     auto stored = admit(job, key, replayed);
+    if (!stored || replayed) accepted_.drop(job.id);
     if (!stored) return tl::unexpected(stored.error());
     return SubmitResult{view_of(std::move(*stored)), replayed};
 }
@@ -383,6 +389,7 @@ std::shared_ptr<RenderTask> JobManager::live(const JobId& id) const {
 }
 
 void JobManager::forget(const JobId& id) {
+    accepted_.drop(id);
     const std::lock_guard lock(live_mutex_);
     if (live_.erase(id) > 0) drain_rate_.end(DrainRate::Clock::now());
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "api/job_document.h"
+#include "server/jobs/accepted_requests.h"
 #include "server/jobs/drain_rate.h"
 #include "server/jobs/job_events.h"
 #include "server/jobs/job_id.h"
@@ -32,6 +33,7 @@ struct JobManagerOptions {
     SchedulerLimits scheduler{};
     api::Limits documents{};
     std::uint64_t scene_cache_bytes = 512U << 20U;
+    std::uint64_t accepted_bytes = 256U << 20U;  ///< of requests that wait, as they were read
     /// Of the place where the stores keep things: "storage-full", "storage-failed". May be empty.
     std::function<Result<void>()> check_storage{};
     StorageWatchTimes storage_times{};
@@ -123,6 +125,7 @@ class JobManager final : public JobService, private RenderListener {
     const JobManagerOptions options_;
     JobIdMaker ids_;
     JobEvents events_;
+    AcceptedRequests accepted_;
     SceneCache scenes_;
     Scheduler scheduler_;
     std::atomic<bool> is_accepting_ = false;

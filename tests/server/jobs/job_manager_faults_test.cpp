@@ -26,6 +26,7 @@ class JobManagerFaults : public testing::Test {
     void start() {
         JobManagerOptions options{.threads = 2};
         options.storage_times = {20ms, 1ms, 10ms};
+        options.accepted_bytes = 0;  // so that every request is read from the store
         options.check_storage = [this]() -> Result<void> {
             if (place_.strikes()) return place_.error();
             return {};

@@ -55,6 +55,43 @@ class JobManagerTest : public testing::Test {
     tests::NoAssets assets_;
 };
 
+/// One mesh, whatever its name; counts how often it is opened.
+class CountedMesh final : public tests::NamedBytes {
+  public:
+    [[nodiscard]] Result<std::string> bytes(std::string_view) const override {
+        ++opened;
+        return std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    }
+    mutable std::atomic<int> opened = 0;
+};
+
+/// How often the file of a job is opened from its submission to its end.
+int times_opened(JobStore& jobs, ResultStore& results, const JobManagerOptions& options) {
+    const CountedMesh mesh;
+    JobManager manager(jobs, results, mesh, options);
+    EXPECT_TRUE(manager.start());
+    const auto submitted = manager.submit(
+        R"({"format":"bouguer-job/1","scene":{"format":"bouguer-scene/1",
+            "camera":{"type":"perspective","from":[0,0,9],"at":[0,0,0],"resolution":[4,4]},
+            "materials":{"m":{"type":"hall","k_sr":1}},
+            "objects":[{"name":"o","material":"m","shape":{"type":"file","path":"a.obj"}}]},
+            "stop":{"samples":1}})",
+        "");
+    EXPECT_TRUE(submitted) << submitted.error().message;
+    while (submitted && !is_final(manager.find(submitted->view.job.id)->job.state)) {
+        std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_EQ(manager.find(submitted->view.job.id)->job.state, JobState::Done);
+    return mesh.opened;
+}
+
+// Its first bytes and then all of them: what submitting has read the worker does not read again,
+// unless there was no room to keep it.
+TEST_F(JobManagerTest, ReadsTheFilesOfAJobOnce) {
+    EXPECT_EQ(times_opened(jobs_, results_, {.threads = 1}), 2);
+    EXPECT_EQ(times_opened(jobs_, results_, {.threads = 1, .accepted_bytes = 0}), 4);
+}
+
 TEST_F(JobManagerTest, RendersWhatIsSubmitted) {
     const auto manager = start();
     const auto submitted = manager->submit(small_job(4, R"(,"labels":{"a":"b"})"), "");
