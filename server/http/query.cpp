@@ -2,6 +2,7 @@
 #include "server/http/query.h"
 
 #include <algorithm>
+#include <charconv>
 #include <vector>
 
 namespace bouguer::server {
@@ -18,7 +19,40 @@ Error invalid_query(std::vector<Problem> problems) {
 
 std::string about(std::string_view name) { return "query parameter " + std::string(name); }
 
+/// The first part of `rest`, which loses it and the separator.
+std::string_view cut(std::string_view& rest, char separator) {
+    const std::size_t end = std::min(rest.find(separator), rest.size());
+    const std::string_view part = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    return part;
+}
+
+std::string decoded(std::string_view text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        unsigned char byte = text[i] == '+' ? ' ' : text[i];
+        if (byte == '%' && i + 2 < text.size()) {
+            std::from_chars(text.data() + i + 1, text.data() + i + 3, byte, 16);
+            i += 2;
+        }
+        out += static_cast<char>(byte);
+    }
+    return out;
+}
+
 }  // namespace
+
+httplib::Params params_of(std::string_view target) {
+    httplib::Params params;
+    (void)cut(target, '?');
+    while (!target.empty()) {
+        std::string_view text = cut(target, '&');
+        if (text.empty()) continue;
+        std::string name = decoded(cut(text, '='));
+        params.emplace(std::move(name), decoded(text));
+    }
+    return params;
+}
 
 Error bad_parameter(const std::string& name, std::string code, std::string found,
                     std::string allowed) {
@@ -57,9 +91,10 @@ Result<std::string> take_required(std::map<std::string, std::string>& query,
     return std::move(taken.mapped());
 }
 
-std::string take_optional(std::map<std::string, std::string>& query, const std::string& name) {
+std::optional<std::string> take_optional(std::map<std::string, std::string>& query,
+                                         const std::string& name) {
     auto taken = query.extract(name);
-    return taken.empty() ? std::string() : std::move(taken.mapped());
+    return taken.empty() ? std::nullopt : std::optional(std::move(taken.mapped()));
 }
 
 Result<void> expect_empty(const std::map<std::string, std::string>& query) {

@@ -5,12 +5,17 @@
 #include <httplib.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "renderer/core/result.h"
 
 namespace bouguer::server {
+
+/// The parameters of a target [WHATWG URL, application/x-www-form-urlencoded], each as often as it
+/// is there: the HTTP library drops the second of two alike. `target` is well percent-encoded.
+[[nodiscard]] httplib::Params params_of(std::string_view target);
 
 /// A refusal of one parameter: 422, code "invalid-query".
 [[nodiscard]] Error bad_parameter(const std::string& name, std::string code, std::string found,
@@ -28,9 +33,9 @@ namespace bouguer::server {
                                                 const std::string& name,
                                                 const std::string& allowed);
 
-/// Takes `name` out of `query`; "" when it is not there.
-[[nodiscard]] std::string take_optional(std::map<std::string, std::string>& query,
-                                        const std::string& name);
+/// Takes `name` out of `query`; nothing when it is not there.
+[[nodiscard]] std::optional<std::string> take_optional(std::map<std::string, std::string>& query,
+                                                       const std::string& name);
 
 /// Refuses what nobody has taken out of `query`: every parameter by its name.
 [[nodiscard]] Result<void> expect_empty(const std::map<std::string, std::string>& query);

@@ -3,34 +3,16 @@
 
 #include "api/digest.h"
 #include "server/http/byte_range.h"
+#include "server/http/conditions.h"
 #include "server/http/negotiation.h"
 #include "server/http/problems.h"
 
 namespace bouguer::server {
 namespace {
 
-/// Whether a list of entity tags holds `tag`, by weak comparison.
-bool matches(std::string_view field, const std::string& quoted_tag) {
-    const auto first = field.find_first_not_of(" \t");
-    if (first != std::string_view::npos && field.substr(first, 1) == "*") return true;
-    // tags are hexadecimal here, so a quoted match cannot lie inside another tag
-    return field.find(quoted_tag) != std::string_view::npos;
-}
-
-/// Likewise by strong comparison: a weak tag never matches.
-bool matches_strongly(std::string_view field, const std::string& quoted_tag) {
-    const auto first = field.find_first_not_of(" \t");
-    if (first != std::string_view::npos && field.substr(first, 1) == "*") return true;
-    for (auto at = field.find(quoted_tag); at != std::string_view::npos;
-         at = field.find(quoted_tag, at + 1)) {
-        if (at == 0 || field[at - 1] != '/') return true;
-    }
-    return false;
-}
-
 /// If-Range compares strongly, and a date never matches: there is no Last-Modified here.
-bool range_applies(const httplib::Request& request, const std::string& quoted_tag) {
-    return !request.has_header("If-Range") || request.get_header_value("If-Range") == quoted_tag;
+bool range_applies(const httplib::Request& request, const std::string& tag) {
+    return !request.has_header("If-Range") || request.get_header_value("If-Range") == tag;
 }
 
 Content part_of(const Content& whole, ByteRange range, httplib::Response& response) {
@@ -42,6 +24,10 @@ Content part_of(const Content& whole, ByteRange range, httplib::Response& respon
 }
 
 }  // namespace
+
+std::string quoted_tag(const Representation& representation) {
+    return '"' + representation.tag + '"';
+}
 
 Representation representation_of(ResultFile file) {
     return {.content = std::move(file.content),
@@ -77,30 +63,18 @@ std::optional<std::size_t> choose_type(const httplib::Request& request, httplib:
     return chosen;
 }
 
-bool meets_if_match(const httplib::Request& request, httplib::Response& response,
-                    const std::string& tag, std::string_view request_id) {
-    if (!request.has_header("If-Match") ||
-        matches_strongly(request.get_header_value("If-Match"), '"' + tag + '"')) {
-        return true;
-    }
-    send_problem(response,
-                 Refusal{412, "precondition-failed",
-                         "It is not, or no longer, what If-Match expects: ask again for its ETag."},
-                 request_id);
-    return false;
-}
-
 void send_representation(const httplib::Request& request, httplib::Response& response,
                          Representation representation, Exchange& exchange) {
-    // before If-None-Match [RFC 9110 §13.2.2]
-    if (!meets_if_match(request, response, representation.tag, exchange.request_id)) return;
-    const std::string tag = '"' + representation.tag + '"';
+    const std::string tag = quoted_tag(representation);
     response.status = 200;
     response.set_header("ETag", tag);
     response.set_header("Cache-Control",
                         representation.immutable ? "max-age=31536000, immutable" : "no-cache");
     if (representation.ranges) response.set_header("Accept-Ranges", "bytes");
-    if (matches(request.get_header_value("If-None-Match"), tag)) {
+    if (!if_match_holds(request, tag)) {  // first of all [RFC 9110 §13.2.2]
+        return send_problem(response, precondition_failed(), exchange.request_id);
+    }
+    if (if_none_match_names(request, tag)) {
         response.status = 304;
         return;
     }

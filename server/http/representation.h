@@ -23,10 +23,8 @@ struct Representation {
     bool ranges = false;  ///< whether parts may be asked for
 };
 
-/// Whether If-Match, if there is one, holds `tag` (without quotes; strong comparison) or "*"
-/// [RFC 9110 §13.1.1]. False: a 412 has been sent.
-[[nodiscard]] bool meets_if_match(const httplib::Request& request, httplib::Response& response,
-                                  const std::string& tag, std::string_view request_id);
+/// As in ETag.
+[[nodiscard]] std::string quoted_tag(const Representation& representation);
 
 /// 200, 206, 304, 412 or 416, as the request's If-Match, If-None-Match, Range and If-Range ask. The
 /// content goes into the exchange and not through the HTTP library, which would hold all of it.

@@ -36,8 +36,9 @@ bool is_consumed(std::string_view name) {
                        [&](std::string_view c) { return equal_ignoring_case(c, name); });
 }
 
-/// The library has seen the request line only. It gets the fields as the front read them, which is
-/// neither percent-decoded nor mixed with its own REMOTE_ADDR, and the body without a copy.
+/// The library has seen the request line only. It gets the query and the fields as we read them, of
+/// which none is lost, percent-decoded or mixed with its own REMOTE_ADDR, and the body without a
+/// copy.
 void fill_request(Exchange& exchange, httplib::Request& request) {
     request.headers.clear();
     for (HeaderField& field : exchange.head.fields) {
@@ -46,6 +47,7 @@ void fill_request(Exchange& exchange, httplib::Request& request) {
         if (exchange.head.is_upload() && equal_ignoring_case(field.name, "Content-Type")) continue;
         request.headers.emplace(field.name, field.value);
     }
+    request.params = params_of(exchange.head.target);
     request.headers.emplace("Content-Length", "0");
     request.body = std::move(exchange.body);
     request.remote_addr = exchange.client;

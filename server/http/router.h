@@ -16,7 +16,6 @@
 
 namespace bouguer::server {
 
-/// Routes are added before the first handle(); from then on every member is thread-safe.
 /// What a route makes of the query of its target.
 enum class Query {
     None,     ///< there is nothing to ask for: a parameter is refused (but query_of()'s `v`)
@@ -24,6 +23,7 @@ enum class Query {
     Read      ///< the handler reads it by query_of() and refuses what it does not know
 };
 
+/// Routes are added before the first handle(); from then on every member is thread-safe.
 class Router {
   public:
     /// Fills `response`; may throw, which becomes a 500 without the exception's text.

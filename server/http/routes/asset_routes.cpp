@@ -5,6 +5,7 @@
 
 #include "api/digest_list.h"
 #include "api/json_builder.h"
+#include "server/http/conditions.h"
 #include "server/http/problems.h"
 #include "server/http/representation.h"
 
@@ -23,6 +24,11 @@ void set_json(Response& response, int status, std::string json) {
 /// PUT /v1/assets/{digest} -> 201 the first time, 200 from then on.
 void put(AssetStore& assets, const Request& request, Response& response, Exchange& exchange) {
     const std::string digest = request.matches[1];
+    if (has_conditions(request)) {
+        const auto tag = assets.has(digest) ? std::optional('"' + digest + '"') : std::nullopt;
+        const auto refused = refused_by_condition(request, tag);
+        if (refused) return send_problem(response, *refused, exchange.request_id);
+    }
     const auto stored = assets.put(digest, request.body);
     if (!stored) return send_problem(response, stored.error(), exchange.request_id);
     const bool is_new = *stored == AssetStore::Put::New;

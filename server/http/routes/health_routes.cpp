@@ -7,6 +7,8 @@
 namespace bouguer::server {
 namespace {
 
+constexpr int kRetry_s = 1;
+
 struct Health {
     int status;
     std::string json;
@@ -27,6 +29,7 @@ void send(httplib::Response& response, Health health) {
     response.status = health.status;
     response.body = std::move(health.json);
     response.set_header("Content-Type", "application/json");
+    if (health.status == 503) response.set_header("Retry-After", std::to_string(kRetry_s));
 }
 
 }  // namespace
@@ -42,7 +45,7 @@ bool answer_health(const JobService& jobs, Exchange& exchange) {
     exchange.answer = to_bytes({.status = health.status,
                                 .body = std::move(health.json),
                                 .request_id = exchange.request_id,
-                                .retry_after_s = health.status == 503 ? 1 : 0,
+                                .retry_after_s = health.status == 503 ? kRetry_s : 0,
                                 .close = exchange.close,
                                 .head_only = method == "HEAD"});
     return true;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "server/http/conditions.h"
 #include "server/http/problems.h"
 #include "server/http/query.h"
 #include "server/http/representation.h"
@@ -54,35 +55,35 @@ void submit(JobService& jobs, const Request& request, Response& response, Exchan
     set_json(response, 202, job_json(result->view));
 }
 
-std::string next_link(const std::string& cursor, std::size_t limit, const std::string& state) {
-    std::string link = "</v1/jobs?limit=" + std::to_string(limit);
-    if (!state.empty()) link += "&state=" + state;
-    return link + "&cursor=" + cursor + ">; rel=\"next\"";
-}
-
 /// What GET /v1/jobs?limit=&cursor=&state= asks for.
 struct ListQuery {
     std::size_t limit = kDefaultLimit;
-    std::string cursor, state_text;
+    std::string cursor;  ///< empty: the first page
     std::optional<JobState> state;
 };
+
+std::string next_link(const std::string& cursor, const ListQuery& query) {
+    std::string link = "</v1/jobs?limit=" + std::to_string(query.limit);
+    if (query.state) link += "&state=" + std::string(to_string(*query.state));
+    return link + "&cursor=" + cursor + ">; rel=\"next\"";
+}
 
 Result<ListQuery> read_list_query(const Request& request) {
     auto texts = query_of(request);
     if (!texts) return tl::unexpected(texts.error());
-    const std::string limit = take_optional(*texts, "limit");
+    const auto limit = take_optional(*texts, "limit");
+    const auto state = take_optional(*texts, "state");
     ListQuery query;
-    query.cursor = take_optional(*texts, "cursor");
-    query.state_text = take_optional(*texts, "state");
+    query.cursor = take_optional(*texts, "cursor").value_or("");
     if (auto all_taken = expect_empty(*texts); !all_taken) return tl::unexpected(all_taken.error());
-    if (!limit.empty()) query.limit = small_number(limit).value_or(0);
+    if (limit) query.limit = small_number(*limit).value_or(0);
     if (query.limit == 0 || query.limit > kLargestLimit) {
         return tl::unexpected(
-            bad_parameter("limit", "out-of-range", limit, "a number in [1, 100]"));
+            bad_parameter("limit", "out-of-range", *limit, "a number in [1, 100]"));
     }
-    query.state = job_state_from(query.state_text);
-    if (!query.state && !query.state_text.empty()) {
-        return tl::unexpected(bad_parameter("state", "unknown-name", query.state_text,
+    if (state) query.state = job_state_from(*state);
+    if (state && !query.state) {
+        return tl::unexpected(bad_parameter("state", "unknown-name", *state,
                                             "queued, running, done, failed or cancelled"));
     }
     return query;
@@ -95,7 +96,7 @@ void list(const JobService& jobs, const Request& request, Response& response, Ex
     const auto page = jobs.list(query->limit, query->cursor, query->state);
     if (!page) return send_problem(response, page.error(), exchange.request_id);
     if (!page->next_cursor.empty()) {
-        response.set_header("Link", next_link(page->next_cursor, query->limit, query->state_text));
+        response.set_header("Link", next_link(page->next_cursor, *query));
     }
     set_json(response, 200, job_page_json(*page));
 }
@@ -143,18 +144,20 @@ void read(JobService& jobs, const HttpDeadlines& deadlines, const Request& reque
     send_representation(request, response, json_representation(job_json(*view)), exchange);
 }
 
-/// Whether the job is as If-Match says. False: the refusal has been sent. A job that changes
-/// between this look and what follows it is changed all the same.
+/// Whether the job is as If-Match and If-None-Match say. False: the refusal has been sent. A job
+/// that changes between this look and what follows it is changed all the same.
 bool is_as_expected(const JobService& jobs, const JobId& id, const Request& request,
                     Response& response, const Exchange& exchange) {
-    if (!request.has_header("If-Match")) return true;
+    if (!has_conditions(request)) return true;
     const auto view = jobs.find(id);
     if (!view) {
         send_problem(response, view.error(), exchange.request_id);
         return false;
     }
-    return meets_if_match(request, response, json_representation(job_json(*view)).tag,
-                          exchange.request_id);
+    const auto refused =
+        refused_by_condition(request, quoted_tag(json_representation(job_json(*view))));
+    if (refused) send_problem(response, *refused, exchange.request_id);
+    return !refused;
 }
 
 /// POST /v1/jobs/{id}/cancel

@@ -31,6 +31,19 @@ TEST_F(AssetRoutesTest, AFileIsPutOnceAndFetched) {
     EXPECT_EQ(ask("HEAD", "/v1/assets/" + digest_).status, 200);
 }
 
+TEST_F(AssetRoutesTest, AFileIsPutUnderTheConditionsOfItsTag) {
+    start();
+    const std::string path = "/v1/assets/" + digest_;
+    const std::string tag = '"' + digest_ + '"';
+    EXPECT_TRUE(is_problem(ask("PUT", path, {"If-Match: *"}, kObj), 412, "precondition-failed"));
+    EXPECT_EQ(ask("PUT", path, {"If-None-Match: *"}, kObj).status, 201);
+    EXPECT_TRUE(
+        is_problem(ask("PUT", path, {"If-None-Match: *"}, kObj), 412, "precondition-failed"));
+    EXPECT_EQ(ask("PUT", path, {"If-Match: " + tag}, kObj).status, 200);
+    EXPECT_TRUE(is_problem(ask("GET", path, {"If-Match: \"other\""}), 412, "precondition-failed"));
+    EXPECT_EQ(ask("GET", path, {"If-Match: " + tag}).body, kObj);
+}
+
 // As clients send it that do not think of the type: of a form the library would refuse 8 KiB.
 TEST_F(AssetRoutesTest, TheMediaTypeDoesNotCount) {
     start();

@@ -65,7 +65,8 @@ TEST_F(JobRoutesTest, ListGoesFromPageToPage) {
 TEST_F(JobRoutesTest, ListRefusesWhatItDoesNotKnow) {
     start();
     for (const char* query :
-         {"limit=0", "limit=101", "limit=-1", "limit=1e1", "limit=99999999999", "state=asleep"}) {
+         {"limit=0", "limit=101", "limit=-1", "limit=1e1", "limit=99999999999", "limit=", "limit",
+          "state=asleep", "state=", "limit=2&limit=2", "State=done", "=1"}) {
         EXPECT_TRUE(is_problem(ask("GET", std::string("/v1/jobs?") + query), 422, "invalid-query"))
             << query;
     }
@@ -101,6 +102,8 @@ TEST_F(JobRoutesTest, ChangesNothingThatIsNotAsExpected) {
     EXPECT_TRUE(is_problem(ask("POST", path_of(id, "/cancel"), {bad}), 412, "precondition-failed"));
     EXPECT_EQ(ask("GET", path_of(id), {good}).header("etag"), tag) << "nothing has changed";
     EXPECT_EQ(ask("POST", path_of(id, "/cancel"), {good}).status, 200);
+    EXPECT_TRUE(
+        is_problem(ask("DELETE", path_of(id), {"If-None-Match: *"}), 412, "precondition-failed"));
     EXPECT_EQ(ask("DELETE", path_of(id), {"If-Match: *"}).status, 204);
     EXPECT_EQ(ask("DELETE", path_of(id), {"If-Match: *"}).status, 404);
 }

@@ -63,15 +63,22 @@ TEST_F(ResultRoutesTest, KnownTagsAnswer304) {
 
 // RFC 9110 §13.1.1: by strong comparison, so that a weak tag never matches.
 TEST_F(ResultRoutesTest, OtherTagsThanExpectedAnswer412) {
-    for (const char* field : {"\"aa11\"", "\"x\", \"aa11\"", "W/\"aa11\", \"aa11\"", "*"}) {
+    for (const char* field : {"\"aa11\"", "\"x\", \"aa11\"", "W/\"aa11\", \"aa11\"", "*",
+                              "\"x\" ,\"aa11\"", "\"a,\",\"aa11\""}) {
         EXPECT_EQ(image({std::string("If-Match: ") + field}).status, 200) << field;
     }
-    for (const char* field : {"\"x\"", "W/\"aa11\"", "aa11", ""}) {
+    for (const char* field : {"\"x\"", "W/\"aa11\"", "aa11", "", "**", "\"x,\"aa11\"\""}) {
         EXPECT_TRUE(
             is_problem(image({std::string("If-Match: ") + field}), 412, "precondition-failed"))
             << field;
     }
     EXPECT_EQ(image({"If-Match: \"x\"", "If-None-Match: \"aa11\""}).status, 412);
+    EXPECT_EQ(image({"If-Match: \"x\""}).header("etag"), "\"aa11\"") << "what is here now";
+    EXPECT_EQ(image({"If-Match: \"x\"", "If-Match: \"aa11\""}).status, 200) << "in two lines";
+    EXPECT_EQ(image({"If-None-Match: \"x\"", "If-None-Match: \"aa11\""}).status, 304) << "likewise";
+    EXPECT_EQ(image({"If-Match: \"aa11\"", "Range: bytes=2-4"}).body, "234");
+    EXPECT_EQ(ask("HEAD", path_of(id, "/image.png"), {"If-Match: \"x\""}).status, 412);
+    EXPECT_EQ(ask("GET", path_of(id, "/report"), {"If-Match: \"x\""}).status, 409);
 }
 
 TEST_F(ResultRoutesTest, RangesGivePartsWithTheEndClamped) {
