@@ -9,6 +9,7 @@
 #include <climits>
 #include <condition_variable>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <string_view>
 #include <thread>
@@ -50,7 +51,7 @@ class LineWriter::Work {
                 if (!write(line)) ++dropped_;
             }
             // what cannot be told now is told behind the next lines
-            if (dropped_ > 0 && write(note_(dropped_))) dropped_ = 0;
+            if (dropped_ > 0 && tell_dropped()) dropped_ = 0;
             lines_.clear();
         }
     }
@@ -68,6 +69,14 @@ class LineWriter::Work {
         taken_bytes_ = state_->bytes;
         dropped_ += std::exchange(state_->dropped, 0);
         return !is_end;
+    }
+
+    bool tell_dropped() {
+        try {
+            return write(note_(dropped_));
+        } catch (const std::bad_alloc&) {
+            return false;
+        }
     }
 
     bool is_too_late() {

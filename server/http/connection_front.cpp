@@ -136,10 +136,13 @@ void ConnectionFront::on_event(std::uint64_t id) {
 
 void ConnectionFront::accept_some(Door& door, bool for_health) {
     for (int i = 0; i < kAcceptsInARow; ++i) {
-        auto accepted = door.accept(Clock::now());
-        if (!accepted) return;
-        const std::uint64_t id = next_id_;
-        guarded(id, [&] { add(std::move(*accepted), for_health); });
+        bool is_over = false;
+        guarded(next_id_, [&] {
+            auto accepted = door.accept(Clock::now());
+            is_over = !accepted;
+            if (accepted) add(std::move(*accepted), for_health);
+        });
+        if (is_over) return;
     }
 }
 

@@ -83,6 +83,7 @@ bool Scheduler::fits(const Task& task) const {
 void Scheduler::activate_what_fits() {
     // Nobody overtakes the first in the queue: a large job would wait for ever behind small ones.
     while (!waiting_.empty() && fits(*waiting_.begin()->task)) {
+        active_.reserve(active_.size() + 1);  // throws before the task is between the two
         Entry entry = std::move(waiting_.extract(waiting_.begin()).value());
         const auto least =
             std::min_element(active_.begin(), active_.end(),

@@ -31,6 +31,7 @@ void StorageWatch::stop() {
 void StorageWatch::report(const Error& error) {
     const std::lock_guard lock(mutex_);
     ++reports_;
+    good_looks_ = 0;
     if (!error_) {
         log_event(LogLevel::Error, "storage-fault",
                   {{"code", error.code}, {"error", error.message}});
@@ -55,10 +56,13 @@ void StorageWatch::note_probing(std::optional<Clock::time_point> since) {
 
 bool StorageWatch::wait() {
     std::unique_lock lock(mutex_);
-    if (!error_) {
-        news_.wait_for(lock, times_.between_probes, [&] { return stopping_ || error_; });
+    const bool was_good = !error_ || good_looks_ > 0;
+    if (was_good) {
+        // a failure that is reported meanwhile ends the wait
+        news_.wait_for(lock, times_.between_probes,
+                       [&] { return stopping_ || (error_ && good_looks_ == 0); });
     }
-    if (error_ && !stopping_) {
+    if (error_ && good_looks_ == 0 && !stopping_) {
         news_.wait_for(lock, retry_, [&] { return stopping_; });
         retry_ = std::min(retry_ * 2, times_.longest_retry);
     }
@@ -81,7 +85,7 @@ void StorageWatch::settle(const Result<void>& result, std::uint64_t reports_befo
     if (!result) return report(result.error());
     const std::lock_guard lock(mutex_);
     // What was reported meanwhile may have come after the probe.
-    if (reports_ != reports_before || !error_) return;
+    if (reports_ != reports_before || !error_ || ++good_looks_ < kGoodLooks) return;
     log_event(LogLevel::Warning, "storage-well-again", {});
     error_.reset();
 }
@@ -93,7 +97,11 @@ void StorageWatch::run() {
             const std::lock_guard lock(mutex_);
             reports_before = reports_;
         }
-        settle(look(), reports_before);
+        try {
+            settle(look(), reports_before);
+        } catch (const std::exception&) {
+            // no memory to keep an error: the next look will do
+        }
     }
 }
 

@@ -14,17 +14,18 @@
 namespace bouguer::server {
 
 struct StorageWatchTimes {
-    std::chrono::milliseconds between_probes{1'000};  ///< while all is well
-    std::chrono::milliseconds first_retry{50};        ///< after a failure; doubles with every try
+    std::chrono::milliseconds between_probes{1'000};  ///< that go well
+    std::chrono::milliseconds first_retry{50};        ///< after a failure; doubles with every one
     std::chrono::milliseconds longest_retry{2'000};
     std::chrono::milliseconds longest_probe{10'000};  ///< then the storage counts as failed
 };
 
 /// A thread that probes the storage and, when it works, has done what is left to do. A failure that
-/// anybody reports counts at once and until a later probe and all that is left have gone well.
-/// Thread-safe.
+/// anybody reports counts at once, and until kGoodLooks later probes in a row, and all that is
+/// left, have gone well: of a disk that fails now and then one good write says little. Thread-safe.
 class StorageWatch {
   public:
+    static constexpr int kGoodLooks = 3;
     using Work = std::function<Result<void>()>;  ///< called by the watch's thread
 
     /// `probe` writes something; `catch_up` does what waits for the storage. Nothing runs before
@@ -60,6 +61,7 @@ class StorageWatch {
     std::condition_variable news_;
     std::optional<Error> error_;                      // guarded by mutex_, as all below
     std::uint64_t reports_ = 0;                       ///< calls of report()
+    int good_looks_ = 0;                              ///< in a row, since the last report
     std::chrono::milliseconds retry_{0};              ///< the next wait after a failure
     std::optional<Clock::time_point> probing_since_;  ///< empty: no probe is under way
     bool stopping_ = false;

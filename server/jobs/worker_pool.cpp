@@ -9,6 +9,8 @@
 namespace bouguer::server {
 namespace {
 
+constexpr std::chrono::milliseconds kMemoryPause{50};
+
 /// Does not throw, not even when there is no memory for the text.
 std::string internal_error(const char* what) noexcept {
     try {
@@ -117,6 +119,19 @@ bool WorkerPool::run(Scheduler::Work& work) {
     return running.has_place;
 }
 
+/// Out of memory it waits until there is some again: no step was taken then.
+std::optional<Scheduler::Work> WorkerPool::next_step() {
+    while (true) {
+        try {
+            return scheduler_.next(num_places_);
+        } catch (const std::bad_alloc&) {
+            const std::lock_guard lock(mutex_);
+            if (stopping_) return std::nullopt;
+        }
+        std::this_thread::sleep_for(kMemoryPause);
+    }
+}
+
 void WorkerPool::work() {
     while (take_place()) work_in_place();
 }
@@ -129,7 +144,7 @@ void WorkerPool::work_in_place() {
             if (stopping_) return;
             seen = wakes_;
         }
-        if (std::optional<Scheduler::Work> work = scheduler_.next(num_places_)) {
+        if (std::optional<Scheduler::Work> work = next_step()) {
             const bool has_place = run(*work);
             // The step may have ended a pass or a job: others can find work now.
             wake();

@@ -57,6 +57,7 @@ class WorkerPool {
 
     void work();
     void work_in_place();
+    [[nodiscard]] std::optional<Scheduler::Work> next_step();
     /// Runs a step. False: it took so long that its place is another's now.
     [[nodiscard]] bool run(Scheduler::Work& work);
     void run_step(Scheduler::Work& work);

@@ -92,6 +92,27 @@ TEST(LineWriter, NeverWaitsAndTellsWhatItDropped) {
     EXPECT_EQ(pipe.line(), "after");
 }
 
+// Lines are dropped when memory is short, too; then there may be none for the note.
+TEST(LineWriter, TellsLaterWhatItHasNoMemoryToTell) {
+    Pipe pipe;
+    std::promise<void> tried;
+    {
+        LineWriter writer(pipe.writer(),
+                          [&, first = true](std::uint64_t dropped) mutable {
+                              if (!std::exchange(first, false)) return lost(dropped);
+                              tried.set_value();
+                              throw std::bad_alloc();
+                          },
+                          {.bytes = 200, .patience = 1min});
+        writer.add(std::string(500, 'x'));
+        tried.get_future().wait();
+        writer.add("good\n");
+    }
+    pipe.close_writer();
+    EXPECT_EQ(pipe.line(), "good");
+    EXPECT_EQ(pipe.line(), "lost 1");
+}
+
 TEST(LineWriter, EndsThoughNobodyReads) {
     Pipe pipe;
     auto writer = std::make_unique<LineWriter>(

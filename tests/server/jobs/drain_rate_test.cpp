@@ -28,9 +28,28 @@ struct Timed {
 
 TEST(DrainRate, KnowsNothingAtFirst) {
     Timed timed;
-    EXPECT_EQ(timed.seconds(), 1);
+    EXPECT_EQ(timed.seconds(), 1) << "there is nothing to wait for";
     timed.begin(1000);
-    EXPECT_EQ(timed.seconds(), 1) << "nothing was measured yet";
+    EXPECT_EQ(timed.seconds(), DrainRate::kUnmeasured_s);
+}
+
+// A queue of 50 that nothing has left in 8 s once made clients wait for 375 s.
+TEST(DrainRate, DoesNotGuessFromWhatHasNotEnded) {
+    Timed timed;
+    timed.begin(50);
+    for (const auto passed : {8s, 60s, 600s}) {
+        timed.now += passed;
+        EXPECT_EQ(timed.seconds(), DrainRate::kUnmeasured_s);
+    }
+    timed.end(2, 1s);
+    EXPECT_EQ(timed.seconds(), DrainRate::kUnmeasured_s) << "two are no measure";
+}
+
+TEST(DrainRate, MeasuresFromTheThirdEndOn) {
+    Timed timed;
+    timed.begin(53);
+    timed.end(3, 1s);
+    EXPECT_NEAR(timed.seconds(), 50, 2) << "50 jobs at one a second";
 }
 
 TEST(DrainRate, FollowsWhatWasMeasured) {
@@ -53,29 +72,33 @@ TEST(DrainRate, ForgetsTheTimeBefore) {
     EXPECT_NEAR(timed.seconds(), 77, 2);
 }
 
-// The queue was empty for an hour: the rate is still that of the work.
+// The queue was empty for a day: the rate is still that of the work.
 TEST(DrainRate, IdleTimeIsNoSlowness) {
     Timed timed;
     timed.begin(100);
     timed.end(100, 1s);
-    timed.now += 30s;
+    timed.now += 24h;
     timed.begin(20);
     EXPECT_NEAR(timed.seconds(), 20, 1);
+    timed.now += 8s;
+    EXPECT_NEAR(timed.seconds(), 23, 1) << "the measure of before does not vanish";
 }
 
 TEST(DrainRate, AJobThatDoesNotEndCountsToo) {
     Timed timed;
-    timed.begin(2);
-    timed.now += 10s;
-    // integral of exp(-t/60) over 10 s: 60 (1 - exp(-1/6)) = 9.21; two jobs of at least that
-    EXPECT_EQ(timed.seconds(), 19);
+    timed.begin(5);
+    timed.end(3, 1ms);
+    EXPECT_EQ(timed.seconds(), 1);
+    timed.now += 60s;
+    // 60 (1 - 1/e) = 37.9 s of weighted time, 3/e = 1.10 ends, two jobs: 68.7 s
+    EXPECT_EQ(timed.seconds(), 69);
 }
 
 TEST(DrainRate, StaysInItsBounds) {
     Timed timed;
     timed.begin(100'000);
     timed.end(10, 30s);
-    EXPECT_EQ(timed.seconds(), 600);
+    EXPECT_EQ(timed.seconds(), 120);
     Timed fast;
     fast.begin(10);
     fast.end(10, 1ms);

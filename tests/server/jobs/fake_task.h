@@ -2,7 +2,9 @@
 // A task of counted steps, without a renderer.
 #pragma once
 
+#include <atomic>
 #include <mutex>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -31,6 +33,10 @@ class FakeTask final : public Task {
     }
     std::optional<Step> next_step() override {
         const std::lock_guard lock(mutex_);
+        if (shortages > 0) {
+            --shortages;
+            throw std::bad_alloc();
+        }
         if (!failure_.empty() || first_ + later_ == 0) return std::nullopt;
         --(first_ > 0 ? first_ : later_);
         ++under_way_;
@@ -56,6 +62,8 @@ class FakeTask final : public Task {
         const std::lock_guard lock(mutex_);
         return failure_;
     }
+
+    std::atomic<int> shortages = 0;  ///< so often there is no memory for a step
 
   private:
     struct Done {

@@ -2,6 +2,7 @@
 // What the jobs do while the storage fails: wait and are stored when it is well again.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <future>
 #include <thread>
 #include <utility>
@@ -137,6 +138,25 @@ TEST_F(JobManagerFaults, AStorageThatDoesNotAnswerIsNotReady) {
     asked.get_future().wait();
     wait_until([&] { return watch.error().has_value(); });
     answer.set_value();
+    wait_until([&] { return !watch.error().has_value(); });
+}
+
+// Every second write fails: one that goes well is no reason to say that all is well.
+TEST_F(JobManagerFaults, OneGoodProbeAfterAFailureIsNotEnough) {
+    std::atomic<int> probes = 0;
+    std::atomic<bool> is_bad = true;
+    StorageWatch watch(
+        [&]() -> Result<void> {
+            if (++probes % 2 == 0 && is_bad) {
+                return fail(ErrorKind::Internal, "EIO", "storage-failed");
+            }
+            return {};
+        },
+        []() -> Result<void> { return {}; }, {1ms, 1ms, 1ms});
+    watch.report({ErrorKind::Internal, "EIO", {}, "storage-failed"});
+    watch.start();
+    while (probes < 40) EXPECT_TRUE(watch.error().has_value()) << probes;
+    is_bad = false;
     wait_until([&] { return !watch.error().has_value(); });
 }
 

@@ -70,6 +70,17 @@ TEST(WorkerPool, AStepThatThrowsFailsItsTaskAndTheWorkerLivesOn) {
 }
 
 // On one thread; the first step ends only when the other task's has run.
+TEST(WorkerPool, WaitsForMemoryToChooseAStep) {
+    Scheduler scheduler;
+    WorkerPool pool(scheduler, 1);
+    const auto task = std::make_shared<FakeTask>("a", 0, 3, 0);
+    task->shortages = 2;
+    ASSERT_TRUE(scheduler.add(task));
+    pool.wake();
+    ASSERT_TRUE(wait_for(*task));
+    EXPECT_EQ(task->steps_done(), 3);
+}
+
 TEST(WorkerPool, ALongStepLosesItsPlace) {
     Scheduler scheduler;
     WorkerPool pool(scheduler, 1);
