@@ -275,6 +275,8 @@ bool JobManager::begin(const JobId& id) noexcept {
         }
     } catch (const std::exception& e) {
         log_event(LogLevel::Error, "job-begin", {{"job_id", id}, {"error", e.what()}});
+        begin_again(id);
+        return false;
     }
     forget(id);
     return false;
@@ -309,7 +311,14 @@ void JobManager::end(const JobId& id, RenderOutcome outcome) noexcept {
         }
     } catch (const std::exception& e) {
         log_event(LogLevel::Error, "job-end", {{"job_id", id}, {"error", e.what()}});
+        begin_again(id);
     }
+}
+
+/// After a lack of memory in between: what the store has of the job is looked at later.
+void JobManager::begin_again(const JobId& id) {
+    remember(id, nullptr);  // allocates nothing: it is there
+    report_fault({ErrorKind::Internal, "out of memory", {}, "storage-failed"});
 }
 
 Result<void> JobManager::try_to_store(const JobId& id, const RenderOutcome& outcome) {

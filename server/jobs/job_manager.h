@@ -100,6 +100,7 @@ class JobManager final : public JobService, private RenderListener {
     [[nodiscard]] Result<void> store_end(const JobId& id, const RenderOutcome& outcome);
     [[nodiscard]] Result<void> put_back(const JobId& id);
     [[nodiscard]] Result<Job> hand_back(const JobId& id);
+    void begin_again(const JobId& id);
     /// Begins nothing more until everything is stored.
     void report_fault(const Error& error);
     [[nodiscard]] Result<void> probe();
