@@ -11,6 +11,7 @@
 #include "server/log.h"
 #include "tests/server/jobs/faulty_stores.h"
 #include "tests/server/jobs/small_job.h"
+#include "tests/server/jobs/wait_until.h"
 #include "tests/support/named_bytes.h"
 
 namespace bouguer::server {
@@ -39,15 +40,6 @@ class JobManagerFaults : public testing::Test {
         auto submitted = manager_->submit(body, "");
         EXPECT_TRUE(submitted) << submitted.error().message;
         return submitted ? submitted->view.job.id : "";
-    }
-    /// Waits until `condition`; fails the test after 20 s.
-    template <class Condition>
-    static void wait_until(Condition condition) {
-        for (int i = 0; i < 20'000; ++i) {
-            if (condition()) return;
-            std::this_thread::sleep_for(1ms);
-        }
-        FAIL() << "it did not happen";
     }
     JobState state_of(const JobId& id) { return manager_->find(id)->job.state; }
     void wait_for(const JobId& id, JobState state) {

@@ -10,6 +10,7 @@
 #include "server/storage/memory_job_store.h"
 #include "server/storage/memory_result_store.h"
 #include "tests/server/jobs/small_job.h"
+#include "tests/server/jobs/wait_until.h"
 #include "tests/support/named_bytes.h"
 
 namespace bouguer::server {
@@ -30,15 +31,6 @@ class JobManagerTest : public testing::Test {
         auto submitted = manager.submit(body, "");
         EXPECT_TRUE(submitted) << submitted.error().message;
         return submitted ? submitted->view.job.id : "";
-    }
-    /// Waits until `condition`; fails the test after 20 s.
-    template <class Condition>
-    static void wait_until(Condition condition) {
-        for (int i = 0; i < 20'000; ++i) {
-            if (condition()) return;
-            std::this_thread::sleep_for(1ms);
-        }
-        FAIL() << "it did not happen";
     }
     static JobState state_of(const JobManager& manager, const JobId& id) {
         return manager.find(id)->job.state;
