@@ -152,6 +152,8 @@ Result<Daemon> Daemon::start(const ServeOptions& options, const ListenAddress& a
 
 int Daemon::port() const { return parts_->http->port(); }
 
+int Daemon::health_port() const { return parts_->http->health_port(); }
+
 void Daemon::refuse_new_jobs() { parts_->manager->refuse_new(); }
 
 void Daemon::drain() {

@@ -24,6 +24,9 @@ class Daemon {
     /// The port that was bound.
     [[nodiscard]] int port() const;
 
+    /// That of the listener for health; 0: there is none.
+    [[nodiscard]] int health_port() const;
+
     /// Takes no more jobs and says so in /readyz, but serves on: for those who send clients here to
     /// see it and send them elsewhere.
     void refuse_new_jobs();

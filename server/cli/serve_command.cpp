@@ -57,6 +57,15 @@ void announce(LineWriter& out, const ListenAddress& address) {
                 "can reach the port can use the service"}});
 }
 
+/// The listener for health, which tells strangers nothing else.
+void announce_health(LineWriter& out, const ServeOptions& options, int port) {
+    const auto asked = listen_address_from(options.health_listen);
+    if (!asked) return;
+    const std::string url = url_of({asked->host, port});
+    out.add("health at " + url + "\n");
+    log_event(LogLevel::Info, "health-listening", {{"url", url}});
+}
+
 /// The orderly end: seen from outside first, and only then closed.
 void end(Daemon& daemon, const ServeOptions& options) {
     log_event(LogLevel::Info, "draining",
@@ -80,6 +89,7 @@ Result<void> serve(const ServeOptions& options, const ListenAddress& asked) {
     }
     const auto out = standard_output();
     announce(*out, address);
+    announce_health(*out, options, daemon->health_port());
     stop.wait();
     end(*daemon, options);
     return {};

@@ -27,7 +27,14 @@ ask_kept() {
 status_of() { curl -s -o "$work/body" -D "$work/head" -w '%{http_code}' "$@"; }
 
 small_job 4 2 64 48 >"$work/short.json"
-start_daemon --drain-delay 60
+start_daemon --drain-delay 60 --health-listen 127.0.0.1:0
+for _ in $(seq 200); do
+    health=$(sed -n 's/^health at //p' "$work/out")
+    [ -z "$health" ] || break
+    sleep 0.05
+done
+[ "$(status_of "$health/readyz")" = 200 ] || fail "the listener for health, at '$health'"
+[ "$(status_of "$health/v1/jobs")" = 404 ] || fail "the listener for health tells more than it should"
 for signal in HUP USR1 USR2; do kill "-$signal" "$daemon"; done
 [ "$(status_of "$url/readyz")" = 200 ] || fail "a signal that means nothing ended the daemon"
 short=$(submit "$work/short.json")
@@ -44,6 +51,7 @@ done
 [ "$ready" = 503 ] || fail "readyz says ${ready:-nothing} over the kept connection after SIGTERM"
 [ "$(ask_kept /livez)" = 200 ] || fail "livez while draining"
 [ "$(status_of "$url/readyz")" = 503 ] || fail "readyz on a new connection while draining"
+[ "$(status_of "$health/readyz")" = 503 ] || fail "readyz of the listener for health while draining"
 [ "$(status_of "$url/v1/jobs/$short/image.png")" = 200 ] || fail "results are served while draining"
 [ "$(status_of -H 'Content-Type: application/json' --data-binary "@$work/short.json" "$url/v1/jobs")" = 503 ] ||
     fail "a job was taken while draining"
