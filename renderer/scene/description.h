@@ -39,6 +39,9 @@ struct ObjectDescription {
     std::string name;
     PlacedShape placed;
     std::size_t material = 0;  ///< index into materials
+    /// Where bodies that light goes through overlap, the one with the higher number is there; at
+    /// equal numbers the one that stands first in the scene [Schmidt and Budge 2002].
+    int priority = 0;
 };
 
 /// Irradiance falls with the square of the distance in metres.
