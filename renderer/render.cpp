@@ -93,11 +93,7 @@ class ProgressiveRender final : public Render {
         const auto scratch = integrator_->make_scratch();
         scratch->limits = limits;
         for (NextSample next(unit); !unit.is_complete(); next.advance()) {
-            const TraceCounters before = unit.counters;
-            if (!trace_sample(unit, next, *scratch)) {
-                unit.counters = before;  // it will be traced again
-                return;
-            }
+            if (!trace_sample(unit, next, *scratch)) return;
             if (scratch->is_to_pause()) return;
         }
     }
@@ -163,7 +159,15 @@ class ProgressiveRender final : public Render {
         report.bias.threshold_throughput = counters_.threshold_throughput / samples;
         report.health.rays_cut_by_depth = counters_.rays_cut_by_depth;
         report.health.rays_cut_by_threshold = counters_.rays_cut_by_threshold;
-        report.health.unmatched_exits = counters_.unmatched_exits;
+        if (counters_.light > 0) {
+            report.bias.depth_limit_share = counters_.depth_light / counters_.light;
+            report.bias.threshold_share = counters_.threshold_light / counters_.light;
+        }
+        report.health.blackened_samples = counters_.blackened_samples;
+        for (const auto& [object, count] : counters_.lost_bodies) {
+            report.health.unmatched_exits += count;
+            report.health.unmatched_objects.push_back({scene_->object_names()[object], count});
+        }
         report.health.medium_stack_overflows = counters_.medium_stack_overflows;
         report.health.shadow_rays_cut = counters_.shadow_rays_cut;
         report.health.total_reflections = counters_.total_reflections;
@@ -183,14 +187,16 @@ class ProgressiveRender final : public Render {
         return stop_.limit_s && !(stop_.seconds && *stop_.seconds <= *stop_.limit_s);
     }
 
-    /// False when it was given up.
+    /// False when it was given up; then it counts for nothing and will be traced again.
     [[nodiscard]] bool trace_sample(UnitResult& unit, const NextSample& next,
                                     TraceScratch& scratch) const {
         const PixelSampler sampler(settings_.seed, next.x, next.y, next.sample, film_.replicates());
         const Vec2 offset = sample_filter(settings_.filter, sampler.get_2d(kDimensionFilm));
         const Ray ray = camera_.generate({next.x + 0.5 + offset.x, next.y + 0.5 + offset.y});
-        const Xyz value = integrator_->trace(ray, sampler, scratch, unit.counters);
+        TraceCounters counters;
+        const Xyz value = integrator_->trace(ray, sampler, scratch, counters);
         if (scratch.has_given_up()) return false;
+        unit.counters += counters;
         unit.add_sample(next.x, next.y, next.sample, value);
         ++unit.cursor;
         return true;

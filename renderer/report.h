@@ -35,11 +35,21 @@ struct ErrorPoint {
 struct Bias {
     double depth_limit_throughput = 0;  ///< mean weight in Y, a sample, of rays cut at max_depth
     double threshold_throughput = 0;    ///< likewise of rays below min_throughput
+    /// Of the picture's light, what those rays may have carried, had each met the brightest that
+    /// its sample met.
+    double depth_limit_share = 0, threshold_share = 0;
     std::optional<double>
         wavelength_relative;  ///< largest relative error in X, Y or Z of the quadrature against 1
                               ///< nm, over the scene's own lamp x surface products; empty: not a
                               ///< quadrature (rgb)
     SpectrumNotes spectra{};  ///< of the document; the renderer itself leaves them empty
+};
+
+/// Rays that were inside an object and met its outside or an end elsewhere, or came out of it
+/// without having been inside.
+struct UnmatchedExits {
+    std::string object;
+    std::uint64_t count = 0;
 };
 
 struct RejectedSample {
@@ -59,8 +69,10 @@ struct Health {
     std::uint64_t rejected_nan = 0, rejected_infinite = 0, rejected_negative = 0;
     std::vector<RejectedSample> rejected;  ///< the first few, to replay
     std::uint64_t rays_cut_by_depth = 0, rays_cut_by_threshold = 0;
+    std::uint64_t blackened_samples = 0;  ///< black because everything they led to was cut
     std::uint64_t unmatched_exits =
-        0;  ///< rays that left a body they had not entered, or the scene from inside one
+        0;  ///< rays that left a body they had not entered, or ended in one they had not left
+    std::vector<UnmatchedExits> unmatched_objects;  ///< whose they are, in the scene's order
     std::uint64_t medium_stack_overflows = 0;  ///< more bodies inside each other than are tracked
     std::uint64_t shadow_rays_cut = 0;    ///< shadow rays that met more surfaces than are followed
     std::uint64_t total_reflections = 0;  ///< for information

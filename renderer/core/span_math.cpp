@@ -75,6 +75,15 @@ void attenuate(Float8* weight, SplitRow log_t, double length, std::size_t blocks
 }
 
 BOUGUER_FOR_EVERY_CPU
+float largest(const Float8* row, std::size_t blocks) {
+    Float8 most = splat(0);
+    for (std::size_t i = 0; i < blocks; ++i) most = row[i] > most ? row[i] : most;
+    float peak = 0;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) peak = std::max(peak, most[lane]);
+    return peak;
+}
+
+BOUGUER_FOR_EVERY_CPU
 void multiply(Float8* row, float scale, const Float8* factor, std::size_t blocks) {
     for (std::size_t i = 0; i < blocks; ++i) row[i] *= scale * factor[i];
 }

@@ -75,6 +75,9 @@ class SpectralTable {
 /// depth of 50 would cost 4e-6. 0 below e^-87.
 void attenuate(Float8* weight, SplitRow log_t, double length, std::size_t blocks);
 
+/// The largest value of a row, at least 0.
+[[nodiscard]] float largest(const Float8* row, std::size_t blocks);
+
 /// row *= scale * factor
 void multiply(Float8* row, float scale, const Float8* factor, std::size_t blocks);
 

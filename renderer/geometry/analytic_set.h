@@ -15,26 +15,25 @@ struct PartOwner {
     std::uint32_t object = 0, instance = 0;
 };
 
+inline void set_owner(Hit& hit, std::size_t part, PartOwner owner) {
+    hit.part = static_cast<std::uint32_t>(part);
+    hit.object = owner.object;
+    hit.instance = owner.instance;
+}
+
 /// Embree keeps a pointer to it: it must stay where it is, unchanged, while the scene lives.
 struct AnalyticSet {
     std::vector<AnalyticShape> shapes;
     std::vector<PartOwner> owners;
-    Real scale = 1;   ///< from scene units to Embree's
-    Real margin = 0;  ///< what the shapes' boxes are widened by, scene units
+    std::uint32_t first_part = 0;  ///< the number of shape 0 among all parts
+    Real scale = 1;                ///< from scene units to Embree's
+    Real margin = 0;               ///< what the shapes' boxes are widened by, scene units
 };
 
-/// What a query carries to the analytic shapes: the ray in double precision, and the best so far.
-struct AnalyticQuery : EmbreeContext {
-    explicit AnalyticQuery(const Ray& r) : ray(&r) { init_context(*this); }
+/// `box` in Embree's numbers, widened by `margin`.
+void write_bounds(RTCBounds& to, const Bounds& box, Real margin, Real scale);
 
-    const Ray* ray;
-    Real shift = 0;  ///< where Embree's ray begins, along this one
-    Real t_max = std::numeric_limits<Real>::infinity();  ///< used by occlusion queries
-    AnalyticHit best;
-    std::uint32_t best_shape = 0;
-};
-
-/// Every query of a scene that holds this geometry must come with an AnalyticQuery as its context,
+/// Every query of a scene that holds this geometry must come with a GeometryQuery as its context,
 /// and one ray at a time.
 [[nodiscard]] GeometryHandle make_analytic_geometry(RTCDevice device, AnalyticSet& set);
 

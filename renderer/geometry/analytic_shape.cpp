@@ -28,11 +28,14 @@ struct Interval {
     }
     void clear() { far = -kInfinity; }
 
+    [[nodiscard]] bool empty() const { return !(near < far); }
+    [[nodiscard]] AnalyticHit in() const { return {near, CrossingRank::Enters, near_part}; }
+    [[nodiscard]] AnalyticHit out() const { return {far, CrossingRank::Leaves, far_part}; }
+
     /// The first crossing in front of the ray's origin.
     [[nodiscard]] AnalyticHit first() const {
-        if (!(near < far) || !(far > 0)) return {};
-        if (near > 0) return {near, CrossingRank::Enters, near_part};
-        return {far, CrossingRank::Leaves, far_part};
+        if (empty() || !(far > 0)) return {};
+        return near > 0 ? in() : out();
     }
 };
 
@@ -69,12 +72,29 @@ void clip_round(Interval& inside, Vec3 o, Vec3 d, std::uint8_t part) {
     inside.clip(std::min(r0, r1), std::max(r0, r1), part);
 }
 
+/// Before or behind the ray's origin.
 AnalyticHit cross_disk(Vec3 o, Vec3 d) {
     const Real t = -o.z / d.z;
     const Real x = o.x + t * d.x;
     const Real y = o.y + t * d.y;
-    if (!(t > 0) || !(x * x + y * y <= 1)) return {};
+    if (!std::isfinite(t) || !(x * x + y * y <= 1)) return {};
     return {t, CrossingRank::Open, 0};
+}
+
+/// The part of the line inside a unit shape that has an inside.
+Interval inside_of(UnitShape kind, Vec3 o, Vec3 d) {
+    Interval inside;
+    if (kind == UnitShape::Sphere) {
+        clip_round(inside, o, d, 0);
+    } else if (kind == UnitShape::Box) {
+        clip_slab(inside, -1, 1, o.x, d.x, 0);
+        clip_slab(inside, -1, 1, o.y, d.y, 1);
+        clip_slab(inside, -1, 1, o.z, d.z, 2);
+    } else {
+        clip_round(inside, {o.x, o.y, 0}, {d.x, d.y, 0}, 0);
+        clip_slab(inside, 0, 1, o.z, d.z, 1);
+    }
+    return inside;
 }
 
 /// The point of the unit shape's surface nearest to `q`, on the given part, and the normal there,
@@ -191,24 +211,33 @@ AnalyticShape AnalyticShape::relative_to(Vec3 origin) const {
 AnalyticHit AnalyticShape::intersect(const Ray& ray) const {
     const Vec3 o = to_unit_.point(ray.o);
     const Vec3 d = to_unit_.direction(ray.d);
-    Interval inside;
+    if (kind_ != UnitShape::Disk) return inside_of(kind_, o, d).first();
+    const AnalyticHit hit = cross_disk(o, d);
+    return hit.t > 0 ? hit : AnalyticHit{};
+}
+
+std::array<AnalyticHit, 2> AnalyticShape::crossings(const Ray& ray) const {
+    const Vec3 o = to_unit_.point(ray.o);
+    const Vec3 d = to_unit_.direction(ray.d);
+    if (kind_ == UnitShape::Disk) return {cross_disk(o, d), {}};
+    const Interval inside = inside_of(kind_, o, d);
+    if (inside.empty()) return {};
+    return {inside.in(), inside.out()};
+}
+
+bool AnalyticShape::contains(Vec3 p) const {
+    const Vec3 q = to_unit_.point(p);
     switch (kind_) {
         case UnitShape::Sphere:
-            clip_round(inside, o, d, 0);
-            break;
+            return dot(q, q) < 1;
         case UnitShape::Disk:
-            return cross_disk(o, d);
+            return false;
         case UnitShape::Box:
-            clip_slab(inside, -1, 1, o.x, d.x, 0);
-            clip_slab(inside, -1, 1, o.y, d.y, 1);
-            clip_slab(inside, -1, 1, o.z, d.z, 2);
-            break;
+            return max_abs(q) < 1;
         case UnitShape::Cylinder:
-            clip_round(inside, {o.x, o.y, 0}, {d.x, d.y, 0}, 0);
-            clip_slab(inside, 0, 1, o.z, d.z, 1);
-            break;
+            return q.x * q.x + q.y * q.y < 1 && q.z > 0 && q.z < 1;
     }
-    return inside.first();
+    return false;
 }
 
 void AnalyticShape::complete(const Ray& ray, AnalyticHit at, Hit& hit) const {
@@ -218,6 +247,7 @@ void AnalyticShape::complete(const Ray& ray, AnalyticHit at, Hit& hit) const {
     hit.ng = normalize(to_unit_.transposed(n));
     hit.ns = hit.ng;
     hit.error = kRounding * condition_ * (max_abs(hit.p) + size_);
+    hit.resolution = hit.error;
     hit.primitive = at.part;
 }
 

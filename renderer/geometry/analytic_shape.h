@@ -2,6 +2,8 @@
 // Shapes with a closed form, intersected in double precision in their own space.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -40,8 +42,13 @@ class AnalyticShape {
 
     /// The nearest point with t > 0.
     [[nodiscard]] AnalyticHit intersect(const Ray& ray) const;
-    /// Fills t, p, ng, ns and error of `hit`. The point is put onto the surface, so that its error
-    /// does not grow with the way the ray has come.
+    /// Where the line crosses the surface, before and behind the ray's origin: in and out, or once
+    /// through a disk. Infinite t where it does not.
+    [[nodiscard]] std::array<AnalyticHit, 2> crossings(const Ray& ray) const;
+    /// Whether `p` is inside; never for a disk.
+    [[nodiscard]] bool contains(Vec3 p) const;
+    /// Fills t, p, ng, ns, error, resolution and primitive of `hit`. The point is put onto the
+    /// surface, so that its error does not grow with the way the ray has come.
     void complete(const Ray& ray, AnalyticHit at, Hit& hit) const;
     /// Sphere: longitude and latitude; disk: angle and radius; box: place on the face; cylinder:
     /// angle and height, or angle and radius on the caps. All in [0, 1].
@@ -49,7 +56,9 @@ class AnalyticShape {
 
     [[nodiscard]] Bounds bounds() const;
     /// Distances that differ by less than this, at distance `t`, cannot be told apart.
-    [[nodiscard]] Real resolution_at(Real t) const { return kRounding * condition_ * (t + size_); }
+    [[nodiscard]] Real resolution_at(Real t) const {
+        return kRounding * condition_ * (std::abs(t) + size_);
+    }
 
   private:
     /// About 4000 units in the last place of double precision: covers some tens of roundings in a

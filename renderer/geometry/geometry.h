@@ -7,9 +7,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "renderer/core/result.h"
 #include "renderer/core/vec3.h"
+#include "renderer/geometry/bounds.h"
 #include "renderer/geometry/shape.h"
 
 namespace bouguer::renderer {
@@ -17,16 +19,30 @@ namespace bouguer::renderer {
 /// Where a ray meets a surface, refined in double precision.
 struct Hit {
     Real t = 0;  ///< distance from the ray's origin, scene units
-    Vec3 p;      ///< the point, on the surface to about 1e-7 of the scene's size
+    Vec3 p;      ///< the point, on the surface as the document has it, in double precision
     Vec3 ng;  ///< unit geometric normal: out of closed shapes, along `normal` of planes and disks
     Vec3 ns;  ///< unit shading normal, on the same side as ng
-    Real error = 0;  ///< how far rays see the surface off p, scene units; for leave_surface()
+    /// How far single-precision queries may see the surface off p, scene units; for
+    /// leave_surface().
+    Real error = 0;
+    /// Surfaces closer than the sum of their resolutions, scene units, are in one place: more than
+    /// the numbers of the document and double precision cannot tell apart.
+    Real resolution = 0;
     std::uint32_t object = 0;     ///< index into the placed shapes
     std::uint32_t instance = 0;   ///< which of that shape's instances
     std::uint32_t part = 0;       ///< which of Geometry's parts; for surface_uv()
     std::uint32_t primitive = 0;  ///< which primitive of the part; for surface_uv()
     float u = 0, v = 0;           ///< barycentric coordinates in a triangle; for surface_uv()
+    /// Whether the query knows that nothing else lies within reach of p along the ray.
+    bool is_alone = false;
 };
+
+/// What resolution is along a ray that meets the surface of `hit` in direction `d`: more at grazing
+/// incidence.
+[[nodiscard]] inline Real resolution_along(const Hit& hit, Vec3 d) {
+    constexpr Real kLeastCosine = 0x1p-20;
+    return hit.resolution / std::max(std::abs(dot(hit.ng, d)), kLeastCosine);
+}
 
 /// How a Geometry is built.
 struct GeometryOptions {
@@ -44,9 +60,10 @@ struct GeometryOptions {
 /// is subtracted in double before anything is uploaded: a scene far from zero loses nothing. Embree
 /// runs with ROBUST and sees the scene scaled to about unit size, so no scale overflows.
 ///
-/// Spheres, disks, boxes, cylinders and planes are intersected in double, triangles in single
-/// precision; the nearest hit is then refined in double. Where an infinite plane and another
-/// surface lie closer than can be told apart, the plane is the nearer one: things stand on it.
+/// Spheres, disks, boxes, cylinders and planes are intersected in double precision. Triangles are
+/// found in single precision, each mesh in coordinates of its own where the scene is much larger
+/// than it, and then met in double. Where an infinite plane and another surface are in one place,
+/// the plane is the nearer one: things stand on it.
 class Geometry {
   public:
     /// Error{InvalidInput}: a transform that has no inverse, a mesh index out of range, a shape
@@ -61,18 +78,42 @@ class Geometry {
     /// with a component that is not finite hit nothing.
     [[nodiscard]] virtual std::optional<Hit> intersect(const Ray& ray) const = 0;
     /// As intersect(), but of the surfaces nearer than `t_max` only; cheaper when there is none.
+    /// What is in the place where the ray ends counts as not nearer: a lamp in a ceiling is not
+    /// shadowed by it.
     [[nodiscard]] virtual std::optional<Hit> intersect_within(const Ray& ray, Real t_max) const {
         auto hit = intersect(ray);
-        if (hit && !(hit->t < t_max)) hit.reset();
+        if (hit && !(hit->t < t_max - resolution_along(*hit, ray.d))) hit.reset();
         return hit;
     }
-    /// Whether anything lies within `t_max` along the ray. Use infinity for lights at infinity.
+    /// Whether anything lies within `t_max` along the ray, as intersect_within() has it. Use
+    /// infinity for lights at infinity.
     [[nodiscard]] virtual bool occluded(const Ray& ray, Real t_max) const = 0;
+
+    /// Every crossing of a surface with from <= t <= to, in the order of t (at equal t of object
+    /// and instance), the ray being a whole line: `from` may be negative. Replaces what `crossings`
+    /// held. Of a convex shape both crossings count; of a mesh all.
+    virtual void crossings(const Ray& ray, Real from, Real to,
+                           std::vector<Hit>& crossings) const = 0;
+    /// How far from a hit, along its normal, intersect() may confuse the order of surfaces, scene
+    /// units. crossings() does not.
+    [[nodiscard]] virtual Real reach(const Hit& hit) const = 0;
+
+    /// Whether `p` is inside an instance of a closed shape or behind a plane. Meshes are asked with
+    /// rays in three directions, the majority counts. Disks have no inside.
+    [[nodiscard]] virtual bool contains(std::uint32_t object, std::uint32_t instance,
+                                        Vec3 p) const = 0;
+    /// Of one instance, in the coordinates of rays; without end for planes.
+    [[nodiscard]] virtual Bounds bounds(std::uint32_t object, std::uint32_t instance) const = 0;
 
     /// Surface coordinates of a hit: a mesh's own, interpolated, or the barycentric ones; those of
     /// AnalyticShape::uv; for planes the coordinates along two axes of the plane, scene units.
     /// Apart from intersect() because few scenes need them.
     [[nodiscard]] virtual Vec2 surface_uv(const Hit& hit) const = 0;
+
+    /// Where the smooth surface that a mesh's normals stand for lies over the facet of a hit, on
+    /// the side of hit.ns [Hanika 2021]; hit.p where there is no facet or none needed. Rays to
+    /// lamps that start there are not shadowed by the facets that the shading does not show.
+    [[nodiscard]] virtual Vec3 smooth_point(const Hit& hit) const = 0;
 
     /// The middle of the bounds of everything finite, world coordinates.
     [[nodiscard]] virtual Vec3 origin() const = 0;
@@ -85,7 +126,7 @@ class Geometry {
 /// The origin of a ray that leaves `hit` along `d`: moved off the surface by `hit.error`, to the
 /// side that `d` points to, so that it does not meet the same surface again. That is a few units in
 /// the last place of the coordinates: of single precision for triangles, of double for the others.
-/// Never an absolute length.
+/// Never an absolute length. What else lies so near must be asked for by crossings().
 [[nodiscard]] inline Vec3 leave_surface(const Hit& hit, Vec3 d) {
     return hit.p + (dot(d, hit.ng) < 0 ? -hit.error : hit.error) * hit.ng;
 }

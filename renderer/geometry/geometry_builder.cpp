@@ -20,7 +20,12 @@ struct PlacedMesh {
     MeshPtr mesh;
     Transform to_world;
     PartOwner owner;
+    Bounds bounds;  ///< world coordinates
 };
+
+/// A mesh in the main scene suffers the rounding of the scene's size: at most so many times what
+/// its own size costs it.
+constexpr Real kMostRounding = 16;
 
 /// The power of two that brings `size` into [1, 2); 1 when there is no size.
 Real unit_scale(Real size) {
@@ -75,6 +80,7 @@ class Builder {
             }
         }
         centre();
+        number_parts(shapes);
         if (!meshes_.empty() || !data_.analytic->shapes.empty()) {
             if (auto uploaded = upload(); !uploaded) {
                 return tl::unexpected<Error>(std::move(uploaded.error()));
@@ -101,7 +107,7 @@ class Builder {
                 const Bounds bounds = bounds_of(**mesh, instance);
                 if (!is_finite(bounds.half_size())) return refuse(object, "is not finite");
                 bounds_.add(bounds);
-                meshes_.push_back({*mesh, instance, owner});
+                meshes_.push_back({*mesh, instance, owner, bounds});
             } else if (const auto* plane = std::get_if<Plane>(&placed.shape)) {
                 const Vec3 n = normalize(inverse->transposed(plane->normal));
                 const Vec3 point = instance.point(plane->point);
@@ -141,6 +147,28 @@ class Builder {
         }
     }
 
+    /// Which part is which instance of which object.
+    void number_parts(std::span<const PlacedShape> shapes) {
+        std::uint32_t instances = 0;
+        for (const PlacedShape& shape : shapes) {
+            data_.first_of_object.push_back(instances);
+            instances += static_cast<std::uint32_t>(shape.instances.size());
+        }
+        data_.part_of_instance.resize(instances);
+        std::uint32_t part = 0;
+        const auto number = [&](PartOwner owner) {
+            data_.part_of_instance[data_.first_of_object[owner.object] + owner.instance] = part++;
+        };
+        for (const PlacedMesh& placed : meshes_) {
+            number(placed.owner);
+            data_.mesh_bounds.push_back(
+                {placed.bounds.lo - data_.origin, placed.bounds.hi - data_.origin});
+        }
+        data_.analytic->first_part = part;
+        for (const PartOwner& owner : data_.analytic->owners) number(owner);
+        for (const PlanePart& plane : data_.planes) number(plane.owner);
+    }
+
     Result<void> upload() {
         data_.memory->max_bytes = options_.max_memory_bytes;
         data_.device.reset(rtcNewDevice(nullptr));
@@ -149,6 +177,7 @@ class Builder {
         data_.scene = new_scene();
         add_meshes();
         if (!data_.analytic->shapes.empty()) add_analytic();
+        if (!data_.nested->meshes.empty()) add_nested_geometry();
         commit(data_.scene);
         if (data_.memory->exceeded || data_.own_bytes > options_.max_memory_bytes) {
             return fail(ErrorKind::TooLarge, "the scene's geometry needs more memory than allowed",
@@ -177,6 +206,7 @@ class Builder {
     void commit(const SceneHandle& scene) {
         rtcCommitScene(scene.get());
         happens_after(data_.analytic.get());  // whose bounds Embree's threads have asked for
+        happens_after(data_.nested.get());
         note_error();
     }
 
@@ -195,13 +225,21 @@ class Builder {
         for (const PlacedMesh& placed : meshes_) {
             const std::uint64_t copied = copies[placed.mesh.get()];
             const bool once = copied == placed.mesh->triangles.size();
-            if (once || copied <= options_.max_baked_triangles) {
+            if ((once || copied <= options_.max_baked_triangles) && !is_small(placed)) {
                 add_baked(placed);
             } else {
-                add_instance(placed);
+                add_nested(placed);
             }
             data_.mesh_owners.push_back(placed.owner);
+            const Bounds& bounds = data_.mesh_bounds[data_.mesh_owners.size() - 1];
+            const Real reach = max_abs(max(max(bounds.hi, -bounds.lo), -bounds.hi));
+            data_.mesh_reach = std::max(data_.mesh_reach, data_.meshes.back().worst_error(reach));
         }
+    }
+
+    /// Whether single precision of the scene's size would spoil the mesh.
+    [[nodiscard]] bool is_small(const PlacedMesh& placed) const {
+        return data_.radius > kMostRounding * length(placed.bounds.half_size());
     }
 
     /// A copy of the mesh in the main scene.
@@ -214,7 +252,7 @@ class Builder {
     }
 
     /// A reference to a scene that holds the mesh once, about its own middle and of unit size.
-    void add_instance(const PlacedMesh& placed) {
+    void add_nested(const PlacedMesh& placed) {
         const auto [it, is_new] = shared_.try_emplace(placed.mesh.get());
         Shared& shared = it->second;
         if (is_new) {
@@ -223,32 +261,19 @@ class Builder {
             shared.scale = unit_scale(max_abs(bounds.half_size()));
             shared.buffer =
                 keep(*placed.mesh, scaled(Transform::translate(-shared.middle), shared.scale), 1);
-            shared.scene = data_.instanced.size();
-            data_.instanced.push_back(new_scene());
-            attach(data_.instanced.back(), triangles(*placed.mesh, *shared.buffer), 0);
-            commit(data_.instanced.back());
+            data_.own_scenes.push_back(new_scene());
+            shared.scene = data_.own_scenes.back().get();
+            attach(data_.own_scenes.back(), triangles(*placed.mesh, *shared.buffer), 0);
+            commit(data_.own_scenes.back());
         }
         Transform to_scene = placed.to_world;
         to_scene.t = to_scene.t - data_.origin;
         Transform from_buffer = scaled(to_scene, 1 / shared.scale);
         from_buffer.t = to_scene.point(shared.middle);
-        GeometryHandle geometry(rtcNewGeometry(data_.device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-        rtcSetGeometryInstancedScene(geometry.get(), data_.instanced[shared.scene].get());
-        set_transform(geometry.get(), scaled(from_buffer, data_.scale));
-        attach(data_.scene, std::move(geometry), data_.meshes.size());
+        const auto part = static_cast<std::uint32_t>(data_.meshes.size());
+        data_.nested->meshes.push_back({part, shared.scene});
+        data_.nested->bounds.push_back(data_.mesh_bounds[part]);
         data_.meshes.emplace_back(placed.mesh, shared.buffer, to_scene, from_buffer);
-    }
-
-    static void set_transform(RTCGeometry geometry, const Transform& m) {
-        std::array<float, 12> columns{};
-        for (std::size_t row = 0; row < 3; ++row) {
-            for (int column = 0; column < 3; ++column) {
-                columns[3 * static_cast<std::size_t>(column) + row] =
-                    static_cast<float>(m.a[row][column]);
-            }
-            columns[9 + row] = static_cast<float>(m.t[static_cast<int>(row)]);
-        }
-        rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
     }
 
     GeometryHandle triangles(const TriangleMesh& mesh, const MeshBuffer& buffer) {
@@ -258,16 +283,26 @@ class Builder {
         rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                    mesh.triangles.data(), 0, 3 * sizeof(std::uint32_t),
                                    mesh.triangles.size());
+        set_triangle_filter(geometry.get());
         return geometry;
     }
 
     void add_analytic() {
         AnalyticSet& set = *data_.analytic;
         set.scale = data_.scale;
-        // Rays are rounded to single precision before they meet the boxes: wide enough for that.
-        set.margin = 0x1p-20 * data_.radius;
+        set.margin = box_margin();
         attach(data_.scene, make_analytic_geometry(data_.device.get(), set), data_.meshes.size());
     }
+
+    void add_nested_geometry() {
+        NestedMeshes& set = *data_.nested;
+        set.scale = data_.scale;
+        set.margin = box_margin();
+        attach(data_.scene, make_nested_geometry(data_.device.get(), set), data_.meshes.size() + 1);
+    }
+
+    /// Rays are rounded to single precision before they meet boxes: wide enough for that.
+    [[nodiscard]] Real box_margin() const { return 0x1p-20 * data_.radius; }
 
     void attach(const SceneHandle& scene, GeometryHandle geometry, std::size_t id) {
         rtcCommitGeometry(geometry.get());
@@ -286,7 +321,7 @@ class Builder {
         Vec3 middle;
         Real scale = 1;
         std::shared_ptr<const MeshBuffer> buffer;
-        std::size_t scene = 0;
+        RTCScene scene = nullptr;
     };
 
     GeometryOptions options_;

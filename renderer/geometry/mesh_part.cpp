@@ -9,9 +9,13 @@ namespace {
 
 /// Roundings of the ray's origin and of the vertices relative to it, and of a normal: eight units
 /// in the last place of single precision; two are the least with which tests find no ray that meets
-/// its own triangle again. Instances add a transform that Embree inverts in single precision.
+/// its own triangle again.
 constexpr Real kRounding = 0x1p-21;
-constexpr Real kInstanceRounding = 0x1p-19;
+/// Half a unit in the last place of single precision, in which most mesh files are written: two
+/// meshes that share a face agree on where it is only to about this, of their size.
+constexpr Real kFileRounding = 0x1p-25;
+/// Coordinates in a buffer of its own lie about zero and reach less than this.
+constexpr Real kBufferReach = 2;
 
 /// How much a transform and its inverse amplify rounding, >= 1: 1 for turns and scales.
 Real condition(const Transform& m, const Transform& inverse) {
@@ -52,9 +56,10 @@ MeshBuffer::MeshBuffer(const TriangleMesh& mesh, const Transform& transform, Rea
     xyz.push_back(0);
     planes.reserve(mesh.triangles.size());
     const bool mirrored = transform.determinant() < 0;
+    const auto exact = [&](std::uint32_t i) { return transform.point(mesh.positions[i]); };
     for (const auto& [a, b, c] : mesh.triangles) {
-        planes.push_back(mirrored ? plane_of(vertex(a), vertex(c), vertex(b))
-                                  : plane_of(vertex(a), vertex(b), vertex(c)));
+        planes.push_back(mirrored ? plane_of(exact(a), exact(c), exact(b))
+                                  : plane_of(exact(a), exact(b), exact(c)));
     }
 }
 
@@ -71,8 +76,13 @@ MeshPart::MeshPart(std::shared_ptr<const TriangleMesh> mesh,
                    std::shared_ptr<const MeshBuffer> buffer, const Transform& to_scene)
     : mesh_(std::move(mesh)),
       buffer_(std::move(buffer)),
-      rounding_(kRounding),
-      to_mesh_(to_scene.inverse().value_or(Transform{})) {}
+      to_scene_(to_scene),
+      to_mesh_(to_scene.inverse().value_or(Transform{})) {
+    Bounds bounds;
+    for (const Vec3& p : mesh_->positions) bounds.add(p);
+    resolution_ = kFileRounding * max_abs(bounds.half_size()) *
+                  std::max({length(to_scene.a[0]), length(to_scene.a[1]), length(to_scene.a[2])});
+}
 
 MeshPart::MeshPart(std::shared_ptr<const TriangleMesh> mesh,
                    std::shared_ptr<const MeshBuffer> buffer, const Transform& to_scene,
@@ -81,47 +91,56 @@ MeshPart::MeshPart(std::shared_ptr<const TriangleMesh> mesh,
     const Transform to_buffer = from_buffer.inverse().value_or(Transform{});
     const Real size =
         std::max({length(from_buffer.a[0]), length(from_buffer.a[1]), length(from_buffer.a[2])});
-    instance_ = std::make_unique<const Instance>(Instance{from_buffer, to_buffer, size});
-    rounding_ = kInstanceRounding * condition(from_buffer, to_buffer);
+    own_ = std::make_unique<const OwnCoordinates>(
+        OwnCoordinates{from_buffer, to_buffer, size * condition(from_buffer, to_buffer)});
+}
+
+Real MeshPart::worst_error(Real size) const {
+    Real extent = 0;
+    for (const TrianglePlane& plane : buffer_->planes) {
+        extent = std::max(extent, static_cast<Real>(plane.extent));
+    }
+    return kRounding * (own_ ? own_->size * (kBufferReach + extent) : size + extent);
 }
 
 Vec3 MeshPart::point_in(const TriangleHit& at) const {
     const auto& corners = mesh_->triangles[at.primitive];
-    const Vec3 a = buffer_->vertex(corners[0]);
-    const Vec3 p = a + static_cast<Real>(at.u) * (buffer_->vertex(corners[1]) - a) +
-                   static_cast<Real>(at.v) * (buffer_->vertex(corners[2]) - a);
-    return instance_ ? instance_->from_buffer.point(p) : p;
+    const Vec3 a = mesh_->positions[corners[0]];
+    return to_scene_.point(a + static_cast<Real>(at.u) * (mesh_->positions[corners[1]] - a) +
+                           static_cast<Real>(at.v) * (mesh_->positions[corners[2]] - a));
 }
 
-bool MeshPart::refine(const Ray& ray, const TriangleHit& at, Hit& hit) const {
+void MeshPart::refine(const Ray& ray, const TriangleHit& at, Hit& hit) const {
     const TrianglePlane& plane = buffer_->planes[at.primitive];
     Real extent = static_cast<Real>(plane.extent);
-    Real t = 0;
-    if (instance_) {
-        const Transform& to_buffer = instance_->to_buffer;
-        t = (plane.offset - dot(plane.n, to_buffer.point(ray.o))) /
-            dot(plane.n, to_buffer.direction(ray.d));
-        hit.ng = normalize(to_buffer.transposed(plane.n));
-        extent *= instance_->size;
+    if (own_) {
+        const Vec3 o = own_->to_buffer.point(ray.o);
+        const Vec3 d = own_->to_buffer.direction(ray.d);
+        hit.t = (plane.offset - dot(plane.n, o)) / dot(plane.n, d);
+        const Vec3 p = o + hit.t * d;
+        hit.p = own_->from_buffer.point(p + (plane.offset - dot(plane.n, p)) * plane.n);
+        hit.ng = normalize(own_->to_buffer.transposed(plane.n));
+        hit.error = kRounding * own_->size * (kBufferReach + extent);
+        extent *= own_->size;
     } else {
-        t = (plane.offset - dot(plane.n, ray.o)) / dot(plane.n, ray.d);
+        hit.t = (plane.offset - dot(plane.n, ray.o)) / dot(plane.n, ray.d);
+        const Vec3 p = ray.at(hit.t);
+        hit.p = p + (plane.offset - dot(plane.n, p)) * plane.n;
         hit.ng = plane.n;
+        hit.error = kRounding * (max_abs(hit.p) + extent);
     }
-    hit.p = ray.at(t);
     // Nearly in the triangle's plane the quotient means little; the place in the triangle still
     // does.
-    if (!(std::abs(t - at.t) <= 1e-3 * (at.t + extent))) {
+    if (!(std::abs(hit.t - at.t) <= 1e-3 * (std::abs(at.t) + extent))) {
         hit.p = point_in(at);
-        t = dot(hit.p - ray.o, ray.d);
+        hit.t = dot(hit.p - ray.o, ray.d);
     }
-    if (!(t > 0)) return false;
-    hit.t = t;
     hit.ns = hit.ng;
-    hit.error = rounding_ * (max_abs(hit.p) + extent);
+    hit.resolution = resolution_;
     hit.u = at.u;
     hit.v = at.v;
     hit.primitive = at.primitive;
-    return true;
+    hit.is_alone = false;
 }
 
 void MeshPart::shade(Hit& hit) const {
@@ -131,6 +150,31 @@ void MeshPart::shade(Hit& hit) const {
     const Real squared = dot(n, n);
     if (!(squared > 0)) return;
     hit.ns = (std::copysign(Real(1), dot(n, hit.ng)) / std::sqrt(squared)) * n;
+}
+
+Vec3 MeshPart::smooth_point(const Hit& hit) const {
+    if (mesh_->normals.empty()) return hit.p;
+    const auto& corners = mesh_->triangles[hit.primitive];
+    const std::array<Real, 3> weights{1 - Real{hit.u} - Real{hit.v}, hit.u, hit.v};
+    Vec3 lift;
+    for (std::size_t i = 0; i < 3; ++i) {
+        Vec3 n = normalize(to_mesh_.transposed(mesh_->normals[corners[i]]));
+        if (dot(n, hit.ns) < 0) n = -n;
+        const Vec3 corner = to_scene_.point(mesh_->positions[corners[i]]);
+        // Over the tangent plane of each corner, as far as the facet lies below it.
+        const Real below = std::min(Real{0}, dot(hit.p - corner, n));
+        lift += -weights[i] * below * n;
+    }
+    return is_finite(lift) ? hit.p + lift : hit.p;
+}
+
+bool MeshPart::share_corner(const Hit& a, const Hit& b) const {
+    for (const std::uint32_t i : mesh_->triangles[a.primitive]) {
+        for (const std::uint32_t j : mesh_->triangles[b.primitive]) {
+            if (i == j || mesh_->positions[i] == mesh_->positions[j]) return true;
+        }
+    }
+    return false;
 }
 
 Vec2 MeshPart::uv(const Hit& hit) const {

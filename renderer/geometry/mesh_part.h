@@ -15,7 +15,7 @@
 
 namespace bouguer::renderer {
 
-/// The plane of a triangle in double precision: dot(n, p) = offset.
+/// The plane of a triangle in double precision, as the document has it: dot(n, p) = offset.
 struct TrianglePlane {
     Vec3 n;  ///< unit, to the side from which the mesh's corners run counter-clockwise
     Real offset = 0;
@@ -26,7 +26,7 @@ struct TrianglePlane {
 /// triangles. Immutable; shared by instances.
 struct MeshBuffer {
     /// The positions of `mesh` under `transform`, rounded once, over `scale`; the planes are those
-    /// of the rounded triangles, not over `scale`.
+    /// of the triangles before rounding, not over `scale`.
     MeshBuffer(const TriangleMesh& mesh, const Transform& transform, Real scale);
 
     [[nodiscard]] Vec3 vertex(std::uint32_t i) const;  ///< not over `scale`
@@ -51,30 +51,41 @@ class MeshPart {
     /// coordinates to those of rays; it is invertible.
     MeshPart(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const MeshBuffer> buffer,
              const Transform& to_scene);
-    /// An instance: `buffer` is shared, and `from_buffer` takes it to the coordinates of rays.
+    /// A mesh in coordinates of its own: `buffer` may be shared, and `from_buffer` takes it to the
+    /// coordinates of rays.
     MeshPart(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const MeshBuffer> buffer,
              const Transform& to_scene, const Transform& from_buffer);
 
-    /// Computes t anew in double from the vertices that Embree saw. Fills t, p, ng, error, u, v and
-    /// primitive of `hit`; returns false when the triangle lies behind the ray's origin after all.
-    [[nodiscard]] bool refine(const Ray& ray, const TriangleHit& at, Hit& hit) const;
+    /// Meets the plane of the triangle in double. Fills t, p, ng, error, resolution, u, v and
+    /// primitive of `hit`; the triangle may turn out to lie behind the ray's origin, t <= 0.
+    void refine(const Ray& ray, const TriangleHit& at, Hit& hit) const;
     /// Fills ns from the mesh's normals.
     void shade(Hit& hit) const;
     [[nodiscard]] Vec2 uv(const Hit& hit) const;
 
+    /// The point of the smooth surface over a hit (see Geometry).
+    [[nodiscard]] Vec3 smooth_point(const Hit& hit) const;
+    /// Whether the triangles of two hits have a corner in common.
+    [[nodiscard]] bool share_corner(const Hit& a, const Hit& b) const;
+
+    /// From the coordinates of rays to the buffer's; for a mesh in coordinates of its own.
+    [[nodiscard]] const Transform& to_buffer() const { return own_->to_buffer; }
+    /// The worst error of a hit on this mesh, scene units. `size` is its largest coordinate.
+    [[nodiscard]] Real worst_error(Real size) const;
+
   private:
     [[nodiscard]] Vec3 point_in(const TriangleHit& at) const;
 
-    struct Instance {
+    struct OwnCoordinates {
         Transform from_buffer, to_buffer;
         Real size;  ///< how much longer things are than in the buffer
     };
 
     std::shared_ptr<const TriangleMesh> mesh_;
     std::shared_ptr<const MeshBuffer> buffer_;
-    std::unique_ptr<const Instance> instance_;  ///< null for a copy
-    Real rounding_;  ///< how far a query may be off, of the coordinates' size
-    Transform to_mesh_;
+    std::unique_ptr<const OwnCoordinates> own_;  ///< null for a copy
+    Real resolution_;  ///< what the numbers of a mesh file do not tell apart, scene units
+    Transform to_scene_, to_mesh_;
 };
 
 }  // namespace bouguer::renderer

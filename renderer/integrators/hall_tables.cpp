@@ -1,13 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/integrators/hall_tables.h"
 
+#include <algorithm>
 #include <set>
 
 namespace bouguer::renderer {
+namespace {
+
+/// Disks are sheets: no inside, so no refraction and no absorption.
+std::vector<BodyDescription> bodies_of(const Scene& scene) {
+    std::vector<BodyDescription> bodies;
+    for (std::size_t i = 0; i < scene.object_materials().size(); ++i) {
+        const ObjectTraits& traits = scene.object_traits()[i];
+        const bool transmits = needs_of(scene.materials()[scene.object_materials()[i]]).transmits;
+        const Matter through = traits.is_sheet ? Matter::Sheet : Matter::Body;
+        bodies.push_back({transmits ? through : Matter::Opaque, traits.is_sheet, traits.priority,
+                          traits.is_closed, traits.instances});
+    }
+    return bodies;
+}
+
+}  // namespace
+
 HallTables::HallTables(const Scene& scene, const SpectralBasis& basis)
     : spectra(basis.size()),
       object_surface(scene.object_materials()),
-      object_is_sheet(scene.object_is_sheet()) {
+      bodies(bodies_of(scene), scene.geometry()) {
     // What no object uses stays unbound: the basis was chosen without it.
     surfaces.resize(scene.materials().size());
     const std::set<std::uint32_t> used(object_surface.begin(), object_surface.end());
@@ -21,6 +39,16 @@ HallTables::HallTables(const Scene& scene, const SpectralBasis& basis)
         environment = spectra.add(basis.emission(*scene.environment()->radiance));
     if (scene.ambient() && scene.ambient()->illuminant) {
         ambient_illuminant = spectra.add(basis.emission(*scene.ambient()->illuminant));
+    }
+    const auto note = [&](std::size_t number) {
+        brightest_emission =
+            std::max(brightest_emission, largest(spectra.row(number), spectra.blocks()));
+    };
+    if (environment) note(*environment);
+    for (const std::uint32_t m : used) {
+        if (!surfaces[m].emission) continue;
+        for (std::size_t i = 0; i < surfaces[m].emission->count; ++i)
+            note(surfaces[m].emission->first + i);
     }
 }
 

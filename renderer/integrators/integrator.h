@@ -7,6 +7,7 @@
 
 #include "renderer/core/trace_limits.h"
 #include "renderer/core/vec3.h"
+#include "renderer/media/interface.h"
 #include "renderer/samplers/pixel_sampler.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings.h"
@@ -19,7 +20,11 @@ struct TraceCounters {
     std::uint64_t rays = 0;
     std::uint64_t rays_cut_by_depth = 0, rays_cut_by_threshold = 0;
     double depth_throughput = 0, threshold_throughput = 0;  ///< weight in Y of what was cut
-    std::uint64_t unmatched_exits = 0, medium_stack_overflows = 0, shadow_rays_cut = 0;
+    double light = 0;                                       ///< Y of what the samples found
+    double depth_light = 0, threshold_light = 0;  ///< Y that the cut rays may have carried
+    std::uint64_t blackened_samples = 0;          ///< that found nothing, and were cut
+    LostBodies lost_bodies;
+    std::uint64_t medium_stack_overflows = 0, shadow_rays_cut = 0;
     std::uint64_t total_reflections = 0;
     TraceCounters& operator+=(const TraceCounters& other);
 };

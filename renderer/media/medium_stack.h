@@ -2,51 +2,56 @@
 // Which bodies a ray is inside of.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace bouguer::renderer {
 
-/// The bodies that hold the ray, innermost last. What the ray passes through is the innermost one.
-/// A small value, copied with the ray. Bodies are named by a number that is unique to object and
-/// instance.
+/// A body that light goes through: an instance of an object. Bodies are numbered by priority: where
+/// several overlap, the one with the lowest number is there (see BodyTable).
+using BodyId = std::uint32_t;
+
+/// The bodies around a ray, by number; a body whose parts overlap counts once for each. What the
+/// ray passes through is the first [Schmidt and Budge 2002]. A small value, copied with the ray.
 class MediumStack {
   public:
-    static constexpr std::size_t kCapacity = 8;
-    static constexpr std::uint64_t kOutside = ~std::uint64_t{0};
+    static constexpr std::size_t kCapacity = 64;
+    static constexpr BodyId kOutside = ~BodyId{0};
 
-    [[nodiscard]] std::uint64_t innermost() const {
-        return size_ == 0 ? kOutside : bodies_[size_ - 1];
+    /// The body that is where the ray is; kOutside when there is none.
+    [[nodiscard]] BodyId current() const { return size_ == 0 ? kOutside : bodies_[0]; }
+    [[nodiscard]] bool holds(BodyId body) const { return count(body) > 0; }
+    [[nodiscard]] std::size_t count(BodyId body) const {
+        return static_cast<std::size_t>(std::count(begin(), end(), body));
     }
-    [[nodiscard]] bool holds(std::uint64_t body) const { return find(body) < size_; }
 
     /// False when there is no room: the caller counts it.
-    bool enter(std::uint64_t body) {
+    bool enter(BodyId body) {
         if (size_ == kCapacity) return false;
-        bodies_[size_++] = body;
+        BodyId* const at = std::upper_bound(bodies_.data(), bodies_.data() + size_, body);
+        std::copy_backward(at, bodies_.data() + size_, bodies_.data() + size_ + 1);
+        *at = body;
+        ++size_;
         return true;
     }
 
     /// False when the ray was not inside `body`.
-    bool leave(std::uint64_t body) {
-        const std::size_t at = find(body);
-        if (at == size_) return false;
-        for (std::size_t i = at + 1; i < size_; ++i) bodies_[i - 1] = bodies_[i];
+    bool leave(BodyId body) {
+        BodyId* const end = bodies_.data() + size_;
+        BodyId* const at = std::find(bodies_.data(), end, body);
+        if (at == end) return false;
+        std::copy(at + 1, end, at);
         --size_;
         return true;
     }
 
-  private:
-    /// The last entry of `body`; size_ when there is none.
-    [[nodiscard]] std::size_t find(std::uint64_t body) const {
-        for (std::size_t i = size_; i > 0; --i) {
-            if (bodies_[i - 1] == body) return i - 1;
-        }
-        return size_;
-    }
+    [[nodiscard]] const BodyId* begin() const { return bodies_.data(); }
+    [[nodiscard]] const BodyId* end() const { return bodies_.data() + size_; }
 
-    std::array<std::uint64_t, kCapacity> bodies_{};
+  private:
+    std::array<BodyId, kCapacity> bodies_;  // only the first size_ mean anything
     std::size_t size_ = 0;
 };
 

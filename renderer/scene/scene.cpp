@@ -21,7 +21,11 @@ Result<std::shared_ptr<const Scene>> Scene::build(const SceneDescription& descri
     scene->ambient_ = description.ambient;
     for (const ObjectDescription& object : description.objects) {
         scene->object_materials_.push_back(static_cast<std::uint32_t>(object.material));
-        scene->object_is_sheet_.push_back(std::holds_alternative<Disk>(object.placed.shape));
+        scene->object_names_.push_back(object.name);
+        ObjectTraits& traits = scene->object_traits_.emplace_back();
+        traits.is_sheet = std::holds_alternative<Disk>(object.placed.shape);
+        traits.priority = object.priority;
+        traits.instances = static_cast<std::uint32_t>(object.placed.instances.size());
         if (const auto* mesh =
                 std::get_if<std::shared_ptr<const TriangleMesh>>(&object.placed.shape)) {
             scene->dropped_triangles_ += (*mesh)->dropped_triangles;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "renderer/core/result.h"
@@ -15,6 +16,13 @@
 #include "renderer/scene/description.h"
 
 namespace bouguer::renderer {
+
+struct ObjectTraits {
+    bool is_sheet = false;  ///< a disk: it has no inside
+    bool is_closed = true;  ///< false: a mesh whose inside cannot be told from its outside
+    int priority = 0;
+    std::uint32_t instances = 1;
+};
 
 class Scene {
   public:
@@ -34,8 +42,10 @@ class Scene {
     [[nodiscard]] const std::vector<std::uint32_t>& object_materials() const {
         return object_materials_;
     }
-    /// Whether an object is a sheet (a disk): it has no inside. By the object's index.
-    [[nodiscard]] const std::vector<bool>& object_is_sheet() const { return object_is_sheet_; }
+    /// What bodies are told apart by; by the object's index.
+    [[nodiscard]] const std::vector<ObjectTraits>& object_traits() const { return object_traits_; }
+    /// Of every object, for reports; by the object's index.
+    [[nodiscard]] const std::vector<std::string>& object_names() const { return object_names_; }
     [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
     [[nodiscard]] const std::optional<ConstantEnvironment>& environment() const {
         return environment_;
@@ -49,7 +59,8 @@ class Scene {
     CameraDescription camera_;
     std::vector<MaterialDescription> materials_;
     std::vector<std::uint32_t> object_materials_;
-    std::vector<bool> object_is_sheet_;
+    std::vector<ObjectTraits> object_traits_;
+    std::vector<std::string> object_names_;
     std::vector<Light> lights_;
     std::optional<ConstantEnvironment> environment_;
     std::optional<AmbientDescription> ambient_;

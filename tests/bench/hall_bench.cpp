@@ -51,7 +51,18 @@ class RecordingGeometry final : public Geometry {
         if (record != nullptr) record->push_back({ray, t_max, true});
         return inner_->occluded(ray, t_max);
     }
+    void crossings(const Ray& ray, Real from, Real to, std::vector<Hit>& hits) const override {
+        inner_->crossings(ray, from, to, hits);
+    }
+    Real reach(const Hit& hit) const override { return inner_->reach(hit); }
+    bool contains(std::uint32_t object, std::uint32_t instance, Vec3 p) const override {
+        return inner_->contains(object, instance, p);
+    }
+    Bounds bounds(std::uint32_t object, std::uint32_t instance) const override {
+        return inner_->bounds(object, instance);
+    }
     Vec2 surface_uv(const Hit& hit) const override { return inner_->surface_uv(hit); }
+    Vec3 smooth_point(const Hit& hit) const override { return inner_->smooth_point(hit); }
     Vec3 origin() const override { return inner_->origin(); }
     Real radius() const override { return inner_->radius(); }
     std::uint64_t num_triangles() const override { return inner_->num_triangles(); }
@@ -77,7 +88,7 @@ double on_threads(int threads, Work work) {
 
 /// What Embree does with a ray when nobody refines, shades or books: the bare query.
 void bare(const GeometryData& data, const RecordedRay& r) {
-    AnalyticQuery query(r.ray);
+    GeometryQuery query(data, r.ray);
     RTCRayHit record{};
     record.ray.org_x = static_cast<float>(r.ray.o.x * data.scale);
     record.ray.org_y = static_cast<float>(r.ray.o.y * data.scale);
@@ -91,6 +102,7 @@ void bare(const GeometryData& data, const RecordedRay& r) {
     record.ray.tfar = static_cast<float>(r.t_max * data.scale);
     if (r.is_shadow) {
         query.t_max = r.t_max;
+        query.scale = data.scale;
         embree_occluded(data.scene.get(), record.ray, query);
     } else {
         embree_intersect(data.scene.get(), record, query);

@@ -100,7 +100,7 @@ TEST(HallAbsorption, BeginsAtACameraInsideTheBody) {
     const auto scene = in_environment().add(Sphere{{0, 0, 0}, 3}, glass(1.5, 0.9)).build();
     const Seen seen = look(*scene, {0, 0, 0}, {0, 0, 1});
     EXPECT_NEAR(seen.y, 0.729, 1e-6);
-    EXPECT_EQ(seen.counters.unmatched_exits, 0U);
+    EXPECT_TRUE(seen.counters.lost_bodies.empty());
 }
 
 // A plane is a half-space: what is seen through it lies infinitely deep, and nothing of it comes
@@ -252,7 +252,7 @@ TEST(HallTotalReflection, EndsAtTheCriticalAngle) {
 
 // The interpolated normals of a coarse mesh lie beside the real ones. Rays keep to the real
 // surface: through a clear ball of 80 triangles under two lamps nearly every ray leaves the body
-// that it entered. What remains slips between triangles at edges.
+// that it entered.
 TEST(HallTransmission, KeepsTrackOfBodiesWithSmoothNormals) {
     HallMaterial m = glass(1.3, 0.9);
     m.k_sr = 0.1;
@@ -268,7 +268,7 @@ TEST(HallTransmission, KeepsTrackOfBodiesWithSmoothNormals) {
         counters += look(*scene, {0, 0, 5}, at).counters;
     }
     EXPECT_GT(counters.rays, 20'000U);
-    EXPECT_LE(counters.unmatched_exits, counters.rays / 10'000);
+    EXPECT_TRUE(counters.lost_bodies.empty());
 }
 
 // ---- truncation ----
@@ -286,15 +286,41 @@ TEST(HallTruncation, BooksWhatTheDepthLimitCuts) {
     EXPECT_EQ(seen.counters.rays, 4U);
 }
 
+// A mirror of k_sr F = 0.5 that shines by itself with radiance 1: of 1 + 1/2 + 1/4 + ..., a ray
+// that may add less than a tenth of what is found already, 1/8 of 1.75, ends the sum.
 TEST(HallTruncation, BooksWhatTheThresholdCuts) {
+    HallMaterial m = matt(0.5);
+    m.mirror = true;
+    SceneBuilder builder;
+    builder.add(Sphere{{0, 0, 0}, 1}, m);
+    builder.description.materials.back().emission = {constant_spectrum(1), nullptr};
+    const auto scene = builder.build();
+    RenderSettings settings = exact_settings();
+    settings.min_throughput = 0.1;
+    const Seen seen = look(*scene, {0.1, 0.2, 0.3}, {1, 1, 1}, settings);
+    EXPECT_NEAR(seen.y, 1.75, 1e-6);
+    EXPECT_EQ(seen.counters.rays_cut_by_threshold, 1U);
+    EXPECT_NEAR(seen.counters.threshold_throughput, 0.125, 1e-6);
+    EXPECT_NEAR(seen.counters.threshold_light, 0.125, 1e-6);
+    EXPECT_EQ(seen.counters.blackened_samples, 0U);
+}
+
+// Nothing found is nothing to compare with: light behind an optical density of 9 is followed.
+TEST(HallTruncation, FollowsWeakRaysWhereThereIsNoOtherLight) {
+    RenderSettings settings = exact_settings();
+    settings.min_throughput = 0.5;
+    const auto scene = in_environment().add(slab(3), glass(1, 1e-3)).build();
+    const Seen seen = look(*scene, {0.1, 0.2, 5}, {0.1, 0.2, -10}, settings);
+    EXPECT_NEAR(seen.y, 1e-9, 1e-14);
+}
+
+TEST(HallTruncation, SaysWhatTheDepthLimitBlackened) {
     HallMaterial m = matt(0.5);
     m.mirror = true;
     const auto scene = SceneBuilder().add(Sphere{{0, 0, 0}, 1}, m).build();
     RenderSettings settings = exact_settings();
-    settings.min_throughput = 0.1;
-    const Seen seen = look(*scene, {0.1, 0.2, 0.3}, {1, 1, 1}, settings);
-    EXPECT_EQ(seen.counters.rays_cut_by_threshold, 1U);
-    EXPECT_NEAR(seen.counters.threshold_throughput, 0.0625, 1e-6);
+    settings.max_depth = 3;
+    EXPECT_EQ(look(*scene, {0.1, 0.2, 0.3}, {1, 1, 1}, settings).counters.blackened_samples, 1U);
 }
 
 // Two transparent bodies that split every ray in two, as deep as a client may ask: the tree stays
@@ -308,7 +334,8 @@ TEST(HallTruncation, BoundsTheTreeOfRays) {
     RenderSettings settings = exact_settings();
     settings.max_depth = 64;
     const Seen seen = look(*scene, {0.1, 0.2, -5}, {0, 0, 0}, settings);
-    EXPECT_LE(seen.counters.rays, static_cast<std::uint64_t>(kMaxNodesPerSample));
+    // Near another surface a ray asks twice.
+    EXPECT_LE(seen.counters.rays, std::uint64_t{2} * kMaxNodesPerSample);
     EXPECT_GT(seen.counters.rays_cut_by_depth, 0U);
 }
 

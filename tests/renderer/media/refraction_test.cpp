@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/media/medium_stack.h"
-
 namespace bouguer::renderer {
 namespace {
 
@@ -42,26 +40,6 @@ TEST(Reflect, MirrorsAboutTheNormal) {
     const Vec3 r = reflect(incident(0.3), kUp);
     EXPECT_NEAR(r.x, std::sin(0.3), 1e-15);
     EXPECT_NEAR(r.z, std::cos(0.3), 1e-15);
-}
-
-TEST(MediumStack, KnowsTheInnermostBody) {
-    MediumStack media;
-    EXPECT_EQ(media.innermost(), MediumStack::kOutside);
-    EXPECT_TRUE(media.enter(1));
-    EXPECT_TRUE(media.enter(2));
-    EXPECT_EQ(media.innermost(), 2U);
-    EXPECT_TRUE(media.leave(1)) << "overlapping bodies are left in any order";
-    EXPECT_EQ(media.innermost(), 2U);
-    EXPECT_FALSE(media.leave(1));
-    EXPECT_TRUE(media.leave(2));
-    EXPECT_EQ(media.innermost(), MediumStack::kOutside);
-}
-
-TEST(MediumStack, RefusesWhenFull) {
-    MediumStack media;
-    for (std::uint64_t i = 0; i < MediumStack::kCapacity; ++i) EXPECT_TRUE(media.enter(i));
-    EXPECT_FALSE(media.enter(99));
-    EXPECT_EQ(media.innermost(), MediumStack::kCapacity - 1);
 }
 
 }  // namespace

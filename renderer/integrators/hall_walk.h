@@ -1,0 +1,523 @@
+// SPDX-License-Identifier: Apache-2.0
+// The walk of the Hall kernel (see hall.h for what it computes).
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "renderer/integrators/hall.h"
+#include "renderer/integrators/hall_boundary.h"
+#include "renderer/integrators/hall_path.h"
+#include "renderer/integrators/hall_tables.h"
+#include "renderer/samplers/warp.h"
+#include "renderer/samplers/wavelength_sampler.h"
+
+namespace bouguer::renderer {
+
+inline double attenuate_scaled(Float8* row, SplitRow log_t, double b, std::size_t blocks) {
+    attenuate(row, log_t, b, blocks);
+    return 1;
+}
+
+/// Kinds of random numbers: at one node of the tree of rays, or of a whole sample.
+enum Dimension : std::uint64_t {
+    kDimensionEnvironment = 1,
+    kDimensionAmbient = 2,
+    kDimensionWavelength = 3
+};
+
+/// A length that stands for infinity where 0 * infinity must not arise: through it nothing comes
+/// that is absorbed at all.
+constexpr Real kEndless = 1e30;
+constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+
+/// One sample's walk through the tree of rays, the heaviest ray first: what is left when the
+/// sample ends early is what weighs least.
+template <bool Transparency, bool Ambient>
+class HallWalk {
+  public:
+    HallWalk(const Scene& scene, const HallTables& tables, const SpectralBasis& basis,
+             const WavelengthSampler& wavelengths, const RenderSettings& settings,
+             const PixelSampler& sampler, HallScratch& scratch, TraceCounters& counters)
+        : scene_(scene),
+          tables_(tables),
+          basis_(basis),
+          wavelengths_(wavelengths),
+          settings_(settings),
+          sampler_(sampler),
+          scratch_(scratch),
+          counters_(counters),
+          blocks_(tables.spectra.blocks()) {}
+
+    Xyz run(const Ray& camera_ray) {
+        std::fill(scratch_.radiance.begin(), scratch_.radiance.end(), splat(0));
+        scratch_.rays.clear();
+        scratch_.interfaces.reset_counts();
+        begin(camera_ray);
+        while (!scratch_.rays.empty() && !scratch_.has_given_up()) {
+            PendingRay& ray = scratch_.rays.take();
+            if (is_negligible(ray.path)) {
+                book(ray, counters_.rays_cut_by_threshold, cut_by_threshold_);
+            } else {
+                const float before = found_;
+                const double weight = ray.path.weight();
+                follow(ray);
+                found_ = largest(scratch_.radiance.data(), blocks_);
+                brightest_ = std::max(brightest_, (found_ - before) / weight);
+            }
+            scratch_.rays.release(ray);
+        }
+        return finish();
+    }
+
+  private:
+    void begin(const Ray& camera_ray) {
+        PendingRay& ray = scratch_.rays.open();
+        ray.start = {};
+        ray.start.p = camera_ray.o;
+        ray.d = camera_ray.d;
+        ray.path = {};
+        if constexpr (Transparency) ray.path.media = camera_media(camera_ray.o);
+        std::fill_n(scratch_.rays.row(ray), blocks_, splat(1));
+        scratch_.rays.add(ray);
+        brightest_ = static_cast<double>(tables_.brightest_emission);
+    }
+
+    /// The bodies that the camera stands in: for an orthographic one, at this ray.
+    const MediumStack& camera_media(Vec3 p) {
+        if (!scratch_.camera_at || *scratch_.camera_at != p) {
+            scratch_.camera_at = p;
+            scratch_.camera_media = tables_.bodies.around(p);
+        }
+        return scratch_.camera_media;
+    }
+
+    Xyz finish() {
+        counters_.rays += scratch_.interfaces.queries();
+        counters_.medium_stack_overflows += scratch_.interfaces.overflows();
+        const Xyz value = basis_.to_xyz(reinterpret_cast<const float*>(scratch_.radiance.data()));
+        counters_.light += value.y;
+        counters_.depth_throughput += cut_by_depth_;
+        counters_.threshold_throughput += cut_by_threshold_;
+        counters_.depth_light += cut_by_depth_ * brightest_;
+        counters_.threshold_light += cut_by_threshold_ * brightest_;
+        if (found_ == 0 && cut_by_depth_ + cut_by_threshold_ > 0) ++counters_.blackened_samples;
+        return value;
+    }
+
+    /// Adds what arrives along the ray to the sample, and sends on what goes on from there.
+    void follow(PendingRay& ray) {
+        ++nodes_;
+        Path& path = ray.path;
+        row_ = scratch_.rays.row(ray);
+        SurfacePoint at;
+        if (!find(ray.start, ray.d, kInfinity, path.media, at.face)) return leave_scene(ray);
+        describe(ray.d, at);
+        if constexpr (Transparency) {
+            absorb(path.media, at.face.hit.t, row_, path.scale);
+            if (at.face.matter == Matter::Opaque) note_end(path.media, at.face.hit);
+        }
+        if (at.surface->emission)
+            add(path, 1, colours_at(at).row(*at.surface->emission, SurfaceColours::kFirst));
+        add_lamps(at, path);
+        if (tables_.environment) add_environment(at, path);
+        if constexpr (Ambient) add_ambient(at, path);
+        spawn(ray, at);
+    }
+
+    void leave_scene(PendingRay& ray) {
+        if constexpr (Transparency) {
+            for (const BodyId body : ray.path.media) {
+                if (!tables_.bodies.may_leave_along(body, ray.d)) lose(body);
+            }
+            absorb(ray.path.media, kEndless, row_, ray.path.scale);
+        }
+        if (tables_.environment) add(ray.path, 1, tables_.row(*tables_.environment));
+    }
+
+    /// The next interface along `d`; without transparency, the next surface.
+    bool find(const RayStart& start, Vec3 d, Real t_max, MediumStack& media, Interface& face) {
+        if constexpr (Transparency) {
+            return scratch_.interfaces.next(start, d, t_max, media, face, counters_.lost_bodies);
+        }
+        ++counters_.rays;
+        const auto hit = scene_.geometry().intersect_within({origin_of(start, d), d}, t_max);
+        if (!hit) return false;
+        face.hit = *hit;
+        face.entering = dot(hit->ng, d) < 0;
+        return true;
+    }
+
+    [[nodiscard]] static Vec3 origin_of(const RayStart& start, Vec3 d) {
+        return start.is_on_surface ? start.p + leave_surface(start.left, d) - start.left.p
+                                   : start.p;
+    }
+
+    /// Fills all of `at` but its face.
+    void describe(Vec3 d, SurfacePoint& at) const {
+        const Hit& hit = at.face.hit;
+        at.surface = &tables_.surface_of(hit.object);
+        const Real side = dot(d, hit.ng) < 0 ? 1 : -1;
+        at.n = side * hit.ns;
+        at.ng = side * hit.ng;
+        at.wo = -d;
+        if (at.surface->has_texture) at.uv = scene_.geometry().surface_uv(hit);
+    }
+
+    SurfaceColours& colours_at(const SurfacePoint& at) {
+        scratch_.colours.move_to(at.uv);
+        return scratch_.colours;
+    }
+
+    /// Equation 1 over a segment of length b inside the body that is there.
+    void absorb(const MediumStack& media, Real b, Float8* row, double& scale) const {
+        const Surface* inside = inside_of(media, tables_);
+        if (inside == nullptr || !inside->log_transmittance) return;
+        scale *= attenuate_scaled(row, tables_.spectra.split_row(*inside->log_transmittance), b,
+                                  blocks_);
+    }
+
+    // ---- bodies that a ray lost track of ----
+
+    void lose(BodyId body) { ++counters_.lost_bodies[tables_.bodies.object_of(body)]; }
+
+    /// A ray ends at `hit`: bodies that do not reach there it has left without meeting them.
+    void note_end(const MediumStack& media, const Hit& hit) {
+        for (const BodyId body : media) {
+            if (!tables_.bodies.may_end_at(body, hit.p, scene_.geometry().reach(hit))) lose(body);
+        }
+    }
+
+    /// The same for a ray that gets to a lamp.
+    void note_end_at_lamp(const MediumStack& media, const Ray& ray, Real distance) {
+        for (const BodyId body : media) {
+            const bool may = distance == kInfinity ? tables_.bodies.may_leave_along(body, ray.d)
+                                                   : tables_.bodies.may_end_at(
+                                                         body, ray.at(distance), 1e-6 * distance);
+            if (!may) lose(body);
+        }
+    }
+
+    // ---- local terms ----
+
+    /// radiance += throughput * scale * a * b * c
+    void add(const Path& path, double scale, const Float8* a, const Float8* b = nullptr,
+             const Float8* c = nullptr) {
+        accumulate(scratch_.radiance.data(), row_, static_cast<float>(path.scale * scale), a, b, c,
+                   blocks_);
+    }
+
+    /// First terms of equations 3 and 4: every lamp by itself.
+    void add_lamps(const SurfacePoint& at, const Path& path) {
+        for (std::size_t l = 0; l < scene_.lights().size() && !scratch_.has_given_up(); ++l) {
+            const LightSample light = scene_.lights()[l].sample(at.face.hit.p);
+            const Real cosine = dot(at.n, light.wi);
+            const bool behind = cosine <= 0;
+            // Where interpolated and real normal disagree on the side that the lamp is on, a ray to
+            // it would not go through the surface that the term is about. On what is opaque the
+            // smooth surface decides, from which rays to lamps start.
+            const bool disagree = behind != (dot(at.ng, light.wi) <= 0);
+            if (disagree && (behind || at.face.matter != Matter::Opaque)) continue;
+            if (cosine == 0 || light.scale == 0) continue;
+            const Response response =
+                behind ? transmit(at, light.wi, path)
+                       : at.surface->model->reflect(at.n, at.wo, light.wi, colours_at(at));
+            add_if_visible(at, light.wi, light.distance, behind, path, light.scale,
+                           tables_.row(tables_.light_emission[l]), response);
+        }
+    }
+
+    [[nodiscard]] Response transmit(const SurfacePoint& at, Vec3 wi, const Path& path) {
+        if (!at.surface->transmits) return {};
+        return at.surface->model->transmit(at.n, at.wo, wi, boundary_of(at, path.media, tables_),
+                                           colours_at(at));
+    }
+
+    /// The environment, by one direction that the surface draws.
+    void add_environment(const SurfacePoint& at, const Path& path) {
+        const Vec2 u = sampler_.get_2d(mix(path.node) + kDimensionEnvironment);
+        const auto sample = at.surface->model->sample(at.n, at.wo, u, colours_at(at));
+        if (!sample || dot(at.ng, sample->wi) <= 0) return;
+        add_if_visible(at, sample->wi, kInfinity, false, path, 1, tables_.row(*tables_.environment),
+                       sample->response);
+    }
+
+    void add_if_visible(const SurfacePoint& at, Vec3 wi, Real distance, bool behind,
+                        const Path& path, double scale, const Float8* emission,
+                        const Response& response) {
+        const auto gives = [&](const Term& term) {
+            return scale * static_cast<double>(term.scale) > 0;
+        };
+        if (std::none_of(response.begin(), response.end(), gives)) return;
+        Tint tint;
+        if (!arrives(at, wi, distance, behind, path.media, tint)) return;
+        for (const Term& term : response) {
+            if (!gives(term)) continue;
+            add(path, scale * tint.scale * static_cast<double>(term.scale), emission, term.colour,
+                tint.is_tinted ? scratch_.light.data() : nullptr);
+        }
+    }
+
+    /// What bodies in the way of light leave of it: `scale` times scratch.light, if that is used.
+    struct Tint {
+        bool is_tinted = false;
+        double scale = 1;
+    };
+
+    /// Whether light from wi gets to the point, and what of it.
+    bool arrives(const SurfacePoint& at, Vec3 wi, Real distance, bool behind,
+                 const MediumStack& media, Tint& tint) {
+        RayStart start = at.face.start(behind);
+        if (at.face.matter == Matter::Opaque && !at.face.is_crowded) start_from_smooth(at, start);
+        if constexpr (!Transparency) {
+            ++counters_.rays;
+            return !scene_.geometry().occluded({origin_of(start, wi), wi}, distance);
+        }
+        return light_passes(start, wi, distance, behind ? at.face.beyond : media, tint);
+    }
+
+    /// Rays to lamps leave the smooth surface that a mesh stands for, not its facets.
+    void start_from_smooth(const SurfacePoint& at, RayStart& start) const {
+        start.p = scene_.geometry().smooth_point(at.face.hit);
+        if (start.p != at.face.hit.p) start.left.ng = at.n;
+    }
+
+    /// Follows a ray to a lamp straight through transparent bodies. False: something opaque is in
+    /// the way.
+    bool light_passes(RayStart start, Vec3 wi, Real distance, MediumStack media, Tint& tint) {
+        Float8* row = scratch_.light.data();
+        for (int surfaces = 0; surfaces < kMaxShadowSurfaces; ++surfaces) {
+            SurfacePoint at;
+            if (!find(start, wi, distance, media, at.face)) {
+                if (media.current() == MediumStack::kOutside) return true;
+                begin_tint(row, tint);
+                note_end_at_lamp(media, {start.p, wi}, distance);
+                absorb(media, std::min(distance, kEndless), row, tint.scale);
+                return true;
+            }
+            if (at.face.matter == Matter::Opaque) {
+                note_end(media, at.face.hit);
+                return false;
+            }
+            begin_tint(row, tint);
+            describe(wi, at);
+            absorb(media, at.face.hit.t, row, tint.scale);
+            const Term through = shares(at, media, scratch_.colours_in_shadow).refracted;
+            if (through.scale == 0) return false;
+            multiply(row, through.scale, through.colour, blocks_);
+            media = at.face.beyond;
+            start = at.face.start(true);
+            distance -= at.face.hit.t;
+        }
+        ++counters_.shadow_rays_cut;
+        return false;
+    }
+
+    void begin_tint(Float8* row, Tint& tint) const {
+        if (!tint.is_tinted) std::fill_n(row, blocks_, splat(1));
+        tint.is_tinted = true;
+    }
+
+    /// Second terms of equations 3 and 4: equation 2.
+    void add_ambient(const SurfacePoint& at, const Path& path) {
+        if (!scene_.ambient()) return;
+        const AmbientDescription& ambient = *scene_.ambient();
+        const Hit& hit = at.face.hit;
+        const Float8* illuminant = ambient_illuminant(hit.p);
+        const bool comes_out = at.comes_out();
+        if (std::holds_alternative<ConstantWeights>(ambient.weights)) {
+            if (comes_out) return;
+            for (const Term& own : at.surface->model->ambient(colours_at(at))) {
+                const double scale = ambient.k_a * static_cast<double>(own.scale);
+                if (scale > 0) add(path, scale, illuminant, own.colour);
+            }
+            return;
+        }
+        const auto neighbour = [&](std::uint32_t object, Real weight) {
+            const Surface& s = tables_.surface_of(object);
+            add(path, ambient.k_a * weight, illuminant,
+                tables_.row(comes_out ? s.neighbour_transmittance : s.neighbour_reflectance));
+        };
+        if (const auto* given = std::get_if<ExplicitWeights>(&ambient.weights)) {
+            for (std::uint32_t object = 0; object < given->k.size(); ++object) {
+                if (object != hit.object && given->k[object] > 0)
+                    neighbour(object, given->k[object]);
+            }
+            return;
+        }
+        // A point that weighs little in the sample gets few of the rays.
+        const int most = std::get<HemisphereWeights>(ambient.weights).rays;
+        const int rays = static_cast<int>(
+            std::clamp(std::ceil(most * path.weight()), 1.0, static_cast<double>(most)));
+        const Frame frame(comes_out ? -at.n : at.n);
+        for (int i = 0; i < rays; ++i) {
+            const Vec2 u =
+                sampler_.get_2d(mix(path.node) + kDimensionAmbient, static_cast<std::uint32_t>(i),
+                                static_cast<std::uint32_t>(most));
+            const Vec3 d = frame.to_world(sample_cosine_power(u, 1));
+            ++counters_.rays;
+            const auto seen = scene_.geometry().intersect({leave_surface(hit, d), d});
+            if (seen && (seen->object != hit.object || seen->instance != hit.instance))
+                neighbour(seen->object, 1.0 / rays);
+        }
+    }
+
+    const Float8* ambient_illuminant(Vec3 p) {
+        if (tables_.ambient_illuminant) return tables_.row(*tables_.ambient_illuminant);
+        Float8* sum = scratch_.light.data();
+        std::fill_n(sum, blocks_, splat(0));
+        for (std::size_t l = 0; l < scene_.lights().size(); ++l) {
+            const auto scale = static_cast<float>(scene_.lights()[l].sample(p).scale);
+            accumulate(sum, scale, tables_.row(tables_.light_emission[l]), blocks_);
+        }
+        return sum;
+    }
+
+    // ---- recursive terms ----
+
+    void spawn(const PendingRay& ray, const SurfacePoint& at) {
+        const Path& path = ray.path;
+        bool turned_back = false, parted = false;
+        if constexpr (Transparency) {
+            if (at.surface->transmits) {
+                const MediumStack& beyond = at.face.beyond;
+                parted = !path.one_wavelength && !at.is_sheet() &&
+                         (disperses(path.media, tables_) || disperses(beyond, tables_));
+                const auto refracted =
+                    refracted_direction(ray.d, at, eta_of(at, path.media, beyond));
+                if (refracted) {
+                    send(ray, at, {*refracted, &beyond, 1, true, parted},
+                         shares(at, path.media).refracted, {});
+                } else {
+                    ++counters_.total_reflections;
+                    turned_back = true;
+                }
+            }
+        }
+        if (!at.surface->mirror && !turned_back) return;
+        const Vec3 reflected = reflected_direction(ray.d, at);
+        // The share that is turned back goes with the mirrored ray, unless it is of one wavelength
+        // and the other is not.
+        if (turned_back && parted) {
+            send(ray, at, {reflected, &path.media, 3, false, true},
+                 shares(at, path.media).refracted, {});
+            turned_back = false;
+            if (!at.surface->mirror) return;
+        }
+        const Shares share = shares(at, path.media);
+        send(ray, at, {reflected, &path.media, 2, false, false},
+             at.surface->mirror ? share.reflected : Term{}, turned_back ? share.refracted : Term{});
+    }
+
+    /// Where a ray goes on from a surface.
+    struct Way {
+        Vec3 d;
+        const MediumStack* media;
+        std::uint64_t number;  ///< tells the rays apart that leave one point
+        bool goes_through;
+        bool parted;  ///< with one wavelength only
+    };
+
+    /// Sends a ray on with the weight of `from` times (a + b). What may not be followed is booked.
+    void send(const PendingRay& from, const SurfacePoint& at, const Way& way, const Term& a,
+              const Term& b) {
+        if (a.scale == 0 && b.scale == 0) return;
+        PendingRay& ray = scratch_.rays.open();
+        const Path& path = from.path;
+        Float8* row = scratch_.rays.row(ray);
+        const Term& first = a.scale == 0 ? b : a;
+        float peak = blend(row, row_, first.scale, first.colour, a.scale == 0 ? 0 : b.scale,
+                           b.colour, blocks_);
+        if (way.parted) peak = keep_one_wavelength(row);
+        ray.path = {path.depth + 1, mix(path.node + way.number),
+                    *way.media,     path.one_wavelength || way.parted,
+                    path.scale,     peak};
+        if (peak == 0) return scratch_.rays.release(ray);
+        if (ray.path.depth > settings_.max_depth || nodes_ >= kMaxNodesPerSample) {
+            book(ray, counters_.rays_cut_by_depth, cut_by_depth_);
+            return scratch_.rays.release(ray);
+        }
+        ray.start = at.face.start(way.goes_through);
+        ray.d = way.d;
+        scratch_.rays.add(ray);
+    }
+
+    /// Whether a ray can add little to what the sample has found, judged by the brightest light
+    /// that the sample and the scene have shown.
+    [[nodiscard]] bool is_negligible(const Path& path) const {
+        return path.weight() * brightest_ < settings_.min_throughput * static_cast<double>(found_);
+    }
+
+    /// Counts a ray that is not followed.
+    void book(const PendingRay& ray, std::uint64_t& count, double& weight) {
+        ++count;
+        weight += ray.path.scale * luminous_weight(scratch_.rays.row(ray));
+    }
+
+    /// Ends all wavelengths but the sample's own, which takes their place on average. Returns what
+    /// it weighs.
+    float keep_one_wavelength(Float8* row) {
+        const WavelengthSample& kept = wavelength();
+        auto* values = reinterpret_cast<float*>(row);
+        const float weight = values[kept.node] * kept.inverse_probability;
+        std::fill_n(row, blocks_, splat(0));
+        values[kept.node] = weight;
+        return weight;
+    }
+
+    /// The same for the whole tree of rays, so that branches which part in different places agree.
+    const WavelengthSample& wavelength() {
+        if (!wavelength_) wavelength_ = wavelengths_.sample(sampler_.get_2d(kDimensionWavelength));
+        return *wavelength_;
+    }
+
+    /// Y of a throughput, as if light of constant spectrum and radiance 1 came that way.
+    [[nodiscard]] double luminous_weight(const Float8* weight) const {
+        return basis_.to_xyz(reinterpret_cast<const float*>(weight)).y;
+    }
+
+    // ---- boundaries ----
+
+    [[nodiscard]] Shares shares(const SurfacePoint& at, const MediumStack& media,
+                                SurfaceColours& colours) const {
+        colours.move_to(at.uv);
+        return at.surface->model->shares(dot(at.n, at.wo), boundary_of(at, media, tables_),
+                                         colours);
+    }
+    [[nodiscard]] Shares shares(const SurfacePoint& at, const MediumStack& media) {
+        return shares(at, media, scratch_.colours);
+    }
+
+    /// Index before over index beyond, for the wavelength of the sample where it makes a
+    /// difference.
+    [[nodiscard]] Real eta_of(const SurfacePoint& at, const MediumStack& before,
+                              const MediumStack& beyond) {
+        return at.is_sheet() ? 1 : index_of(before) / index_of(beyond);
+    }
+
+    [[nodiscard]] Real index_of(const MediumStack& media) {
+        const Surface* inside = inside_of(media, tables_);
+        if (inside == nullptr) return 1;
+        return inside->dispersive_ior ? inside->dispersive_ior->at(wavelength().lambda_nm)
+                                      : inside->ior;
+    }
+
+    const Scene& scene_;
+    const HallTables& tables_;
+    const SpectralBasis& basis_;
+    const WavelengthSampler& wavelengths_;
+    const RenderSettings& settings_;
+    const PixelSampler& sampler_;
+    HallScratch& scratch_;
+    TraceCounters& counters_;
+    const std::size_t blocks_;
+    Float8* row_ = nullptr;  ///< throughput of the ray that is followed, over its path's scale
+    int nodes_ = 0;
+    float found_ = 0;       ///< the largest number of the sample's radiance so far
+    double brightest_ = 0;  ///< the most that a ray of weight 1 has found or may find
+    double cut_by_depth_ = 0, cut_by_threshold_ = 0;  ///< weights in Y
+    std::optional<WavelengthSample> wavelength_;      ///< drawn when first needed
+};
+
+}  // namespace bouguer::renderer

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of a scene's objects are bodies that light goes through, and which of them counts where
+// several overlap.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "renderer/geometry/geometry.h"
+#include "renderer/media/medium_stack.h"
+
+namespace bouguer::renderer {
+
+/// What a ray finds in an object.
+enum class Matter : std::uint8_t {
+    Opaque,  ///< ends there, from whichever side it comes
+    Sheet,   ///< goes through something without an inside
+    Body     ///< goes into it, or out of it
+};
+
+struct BodyDescription {
+    Matter matter = Matter::Opaque;
+    bool is_flat = false;  ///< a disk: has no inside
+    int priority = 0;
+    bool is_closed = true;  ///< has an inside that can be told from the outside
+    std::uint32_t instances = 1;
+};
+
+/// Immutable once built; thread-safe.
+///
+/// The rule: where bodies overlap, the one with the highest priority is there; at equal priority
+/// the one that stands first in the scene; of the instances of one object the first. It asks for no
+/// order of events, so light that goes back the same way finds the same bodies. What is opaque is
+/// always met, whatever overlaps it.
+class BodyTable {
+  public:
+    /// `objects` in the order of the geometry's, which must outlive the table.
+    BodyTable(std::span<const BodyDescription> objects, const Geometry& geometry);
+
+    [[nodiscard]] Matter matter_of(std::uint32_t object) const { return matter_[object]; }
+    /// Whether an object is a disk, opaque or not.
+    [[nodiscard]] bool is_flat(std::uint32_t object) const { return flat_[object]; }
+    /// Of a hit on an object that is a body.
+    [[nodiscard]] BodyId body_of(const Hit& hit) const {
+        return first_body_[hit.object] + hit.instance;
+    }
+    [[nodiscard]] std::uint32_t object_of(BodyId body) const { return bodies_[body].object; }
+    [[nodiscard]] bool empty() const { return bodies_.empty(); }
+
+    /// The bodies around a point. Those that do not fit are left out.
+    [[nodiscard]] MediumStack around(Vec3 p) const;
+    /// Whether `p` is within `reach` of a body's bounding box, or of the boundary of a half-space.
+    [[nodiscard]] bool is_near(Vec3 p, Real reach) const;
+    /// Whether a ray inside `body` may end at `p`, which rays see off by `reach`. False: it has
+    /// left the body without meeting its surface; also when the body has no inside.
+    [[nodiscard]] bool may_end_at(BodyId body, Vec3 p, Real reach) const;
+    /// Whether a ray inside `body` may leave the scene along `d`: half-spaces have no end.
+    [[nodiscard]] bool may_leave_along(BodyId body, Vec3 d) const;
+
+  private:
+    struct Placed {
+        std::uint32_t object = 0, instance = 0;
+        Bounds bounds;
+        bool is_closed = true;
+        [[nodiscard]] bool is_half_space() const { return bounds.hi.x > kFinite; }
+        static constexpr Real kFinite = std::numeric_limits<Real>::max();
+    };
+
+    [[nodiscard]] bool is_at_boundary(const Placed& body, Vec3 p, Real reach) const;
+
+    const Geometry& geometry_;
+    std::vector<Matter> matter_;
+    std::vector<bool> flat_;
+    std::vector<BodyId> first_body_;  ///< by object
+    std::vector<Placed> bodies_;      ///< by number
+    Bounds all_;                      ///< of those with an end
+    std::size_t num_bounded_ = 0;
+};
+
+}  // namespace bouguer::renderer

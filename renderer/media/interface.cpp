@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/media/interface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace bouguer::renderer {
+namespace {
+
+/// How many places without an interface a ray goes through before it is given up: faces hidden in
+/// bodies of higher priority.
+constexpr int kMaxPlaces = 4096;
+
+/// How far along `d` to look for what may be confused with `hit`. At grazing incidence more, but
+/// not without end.
+Real reach_along(const Hit& hit, Vec3 d, Real reach) {
+    constexpr Real kLeastCosine = 1.0 / 64;
+    return 4 * reach / std::max(std::abs(dot(hit.ng, d)), kLeastCosine);
+}
+
+bool is_entering(const Hit& hit, Vec3 d) { return dot(hit.ng, d) < 0; }
+
+bool is_same_plane(const Hit& a, const Hit& b) {
+    constexpr Real kParallel = 1 - 1e-6;
+    return std::abs(dot(a.ng, b.ng)) > kParallel;
+}
+
+}  // namespace
+
+bool InterfaceFinder::next(const RayStart& start, Vec3 d, Real t_max, MediumStack& media,
+                           Interface& found, LostBodies& lost) {
+    RayStart from = start;
+    Real way = 0;
+    for (int i = 0; i < kMaxPlaces; ++i) {
+        if (!find_place(from, d, t_max - way, media)) return false;
+        const Hit first = place_.front();
+        way += first.t;
+        found.is_crowded = is_crowded_;
+        const Hit* opaque = opaque_in_place(d);
+        const Hit* sheet = opaque == nullptr ? sheet_in_place() : nullptr;
+        if (const Hit* only = opaque != nullptr ? opaque : sheet) {
+            found.hit = *only;
+            found.place = Place({*only});
+            found.matter = opaque != nullptr ? Matter::Opaque : Matter::Sheet;
+            found.entering = is_entering(*only, d);
+            found.beyond = media;
+            found.hit.t = way;
+            return true;
+        }
+        add_missing(d, media, lost);
+        if (find_boundary(d, media, found)) {
+            found.hit.t = way;
+            return true;
+        }
+        from = {first.p, first, Place(place_), true, true, is_crowded_};
+    }
+    return false;
+}
+
+/// Puts into place_ what the ray meets first, t from its start. False: nothing.
+bool InterfaceFinder::find_place(const RayStart& start, Vec3 d, Real t_max,
+                                 const MediumStack& media) {
+    Vec3 o = start.p;
+    if (start.is_on_surface) {
+        if (!start.is_crowded) {
+            o = start.p + leave_surface(start.left, d) - start.left.p;
+        } else {
+            if (find_nearby(start, d, t_max, media)) return true;
+            // What comes next is nowhere near: half of the way that has been looked through.
+            o = start.p + reach_along(start.left, d, geometry_.reach(start.left)) * d;
+        }
+    }
+    const Real skipped = dot(o - start.p, d);
+    ++queries_;
+    const auto hit = geometry_.intersect_within({o, d}, t_max - skipped);
+    if (!hit) return false;
+    place_.assign(1, *hit);
+    place_.front().t += skipped;
+    is_crowded_ = false;
+    if (!hit->is_alone && bodies_.is_near(hit->p, geometry_.reach(*hit))) {
+        look_around(start, d, t_max, media);
+    }
+    return true;
+}
+
+/// Looks for what is within reach of the start.
+bool InterfaceFinder::find_nearby(const RayStart& start, Vec3 d, Real t_max,
+                                  const MediumStack& media) {
+    const Real reach = reach_along(start.left, d, geometry_.reach(start.left));
+    ++queries_;
+    geometry_.crossings({start.p, d}, -reach, 2 * reach, place_);
+    std::erase_if(place_, [&](const Hit& hit) {
+        return hit.t >= t_max - resolution_along(hit, d) || is_left(start, d, media, hit);
+    });
+    if (place_.empty()) return false;
+    is_crowded_ = true;
+    keep_first_place(d);
+    return true;
+}
+
+/// place_ holds what single precision took for the nearest; finds what really is, and what lies in
+/// the same place.
+void InterfaceFinder::look_around(const RayStart& start, Vec3 d, Real t_max,
+                                  const MediumStack& media) {
+    const Hit nearest = place_.front();
+    const Real reach = reach_along(nearest, d, geometry_.reach(nearest));
+    ++queries_;
+    geometry_.crossings({start.p, d}, nearest.t - reach, nearest.t + reach, place_);
+    // Near the start only what the ray has not left; without a start, only what is in front.
+    const Real near =
+        start.is_on_surface ? reach_along(start.left, d, geometry_.reach(start.left)) : 0;
+    std::erase_if(place_, [&](const Hit& hit) {
+        if (hit.t >= t_max - resolution_along(hit, d)) return true;
+        return hit.t <= near && (!start.is_on_surface || is_left(start, d, media, hit));
+    });
+    is_crowded_ = place_.size() > 1;
+    if (place_.empty()) {
+        place_.assign(1, nearest);
+    } else {
+        keep_first_place(d);
+    }
+}
+
+/// Whether a ray from `start` has left `hit` behind it, or is on its way off it.
+bool InterfaceFinder::is_left(const RayStart& start, Vec3 d, const MediumStack& media,
+                              const Hit& hit) const {
+    const Real same_place = resolution_along(hit, d) + resolution_along(start.left, d);
+    if (std::abs(hit.t) <= same_place && start.place.has(hit)) return true;
+    // Of what is in the place of a sheet only the sheet has been met.
+    const bool from_sheet = bodies_.matter_of(start.left.object) == Matter::Sheet;
+    if (hit.t < (from_sheet ? -same_place : 0)) return true;
+    const Matter matter = bodies_.matter_of(hit.object);
+    if (matter == Matter::Body) return is_entering(hit, d) == media.holds(bodies_.body_of(hit));
+    if (hit.object == start.left.object && hit.instance == start.left.instance) {
+        return is_entering(hit, d) == is_entering(start.left, d);
+    }
+    if (hit.t > same_place || !is_same_plane(hit, start.left)) return false;
+    if (matter == Matter::Opaque) return true;
+    // Of sheets in one place the one that stands first in the scene is gone through first.
+    if (!from_sheet) return start.has_gone_through;
+    return (hit.object < start.left.object) == start.has_gone_through;
+}
+
+/// Drops from place_, which is in the order of t, what lies beyond the first place.
+void InterfaceFinder::keep_first_place(Vec3 d) {
+    Real end = place_.front().t + resolution_along(place_.front(), d);
+    std::size_t kept = 1;
+    for (; kept < place_.size(); ++kept) {
+        const Hit& hit = place_[kept];
+        const Real resolution = resolution_along(hit, d);
+        if (hit.t - resolution > end || is_far_side(kept, d)) break;
+        end = std::max(end, hit.t);
+    }
+    place_.resize(kept);
+}
+
+/// Whether number `index` of place_ comes out of a body that something before it goes into.
+bool InterfaceFinder::is_far_side(std::size_t index, Vec3 d) const {
+    const Hit& hit = place_[index];
+    if (is_entering(hit, d)) return false;
+    return std::any_of(place_.begin(), place_.begin() + static_cast<std::ptrdiff_t>(index),
+                       [&](const Hit& other) {
+                           return other.object == hit.object && other.instance == hit.instance &&
+                                  is_entering(other, d);
+                       });
+}
+
+/// What is opaque in the place: a disk before what has an inside, what is come out of before what
+/// is gone into, else what stands first in the scene.
+const Hit* InterfaceFinder::opaque_in_place(Vec3 d) const {
+    const auto rank = [&](const Hit& hit) {
+        return std::tuple(!bodies_.is_flat(hit.object), is_entering(hit, d), hit.object);
+    };
+    const Hit* best = nullptr;
+    for (const Hit& hit : place_) {
+        if (bodies_.matter_of(hit.object) != Matter::Opaque) continue;
+        if (best == nullptr || rank(hit) < rank(*best)) best = &hit;
+    }
+    return best;
+}
+
+const Hit* InterfaceFinder::sheet_in_place() const {
+    const Hit* best = nullptr;
+    for (const Hit& hit : place_) {
+        if (bodies_.matter_of(hit.object) != Matter::Sheet) continue;
+        if (best == nullptr || hit.object < best->object) best = &hit;
+    }
+    return best;
+}
+
+/// A body that the ray comes out of without having gone into it was around it from its start on.
+void InterfaceFinder::add_missing(Vec3 d, MediumStack& media, LostBodies& lost) {
+    for (const Hit& hit : place_) {
+        const BodyId body = bodies_.body_of(hit);
+        std::size_t out = 0, in = media.count(body);
+        for (const Hit& other : place_) {
+            if (bodies_.body_of(other) != body) continue;
+            ++(is_entering(other, d) ? in : out);
+        }
+        for (; in < out; ++in) {
+            ++lost[hit.object];
+            if (!media.enter(body)) ++overflows_;
+        }
+    }
+}
+
+/// The bodies beyond the place.
+MediumStack InterfaceFinder::cross_place(Vec3 d, const MediumStack& media) {
+    MediumStack beyond = media;
+    for (const Hit& hit : place_) {
+        if (is_entering(hit, d) && !beyond.enter(bodies_.body_of(hit))) ++overflows_;
+    }
+    for (const Hit& hit : place_) {
+        if (!is_entering(hit, d)) beyond.leave(bodies_.body_of(hit));
+    }
+    return beyond;
+}
+
+/// The interface between what is in front of the place and what is beyond; false when that is the
+/// same body. Then `media` are those beyond.
+bool InterfaceFinder::find_boundary(Vec3 d, MediumStack& media, Interface& found) {
+    const MediumStack beyond = cross_place(d, media);
+    const BodyId here = media.current(), there = beyond.current();
+    if (here == there) {
+        media = beyond;
+        return false;
+    }
+    const BodyId counts = std::min(here, there);
+    const auto face = std::find_if(place_.begin(), place_.end(), [&](const Hit& hit) {
+        return bodies_.body_of(hit) == counts && is_entering(hit, d) == (counts == there);
+    });
+    found.hit = face != place_.end() ? *face : place_.front();
+    found.place = Place(place_);
+    found.matter = Matter::Body;
+    found.entering = is_entering(found.hit, d);
+    found.beyond = beyond;
+    return true;
+}
+
+}  // namespace bouguer::renderer

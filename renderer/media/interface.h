@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a ray passes at a point: the bodies on this side, the bodies beyond, and the surface between
+// them. No surface is stepped over.
+//
+// The rules, which the users' documentation repeats:
+// - A ray starts where it hit, leaves out what it has just left, and meets what lies in the same
+//   place.
+// - Faces in one place are one interface, in optical contact: from the body that is left straight
+//   into the one that is entered, with the surface of the one of the two that counts more. One
+//   refraction, one share of what goes through.
+// - The two sides of one body are two places, however thin it is.
+// - Faces between which nothing changes (inside a body of higher priority) are no interface.
+// - What is opaque is met first, then sheets, then bodies.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "renderer/geometry/geometry.h"
+#include "renderer/media/body_table.h"
+
+namespace bouguer::renderer {
+
+/// The faces that lie in one place. Of very many, the first.
+class Place {
+  public:
+    Place() = default;
+    explicit Place(const std::vector<Hit>& hits) {
+        for (; size_ < std::min(hits.size(), kCapacity); ++size_)
+            faces_[size_] = {hits[size_].part, hits[size_].primitive};
+    }
+    [[nodiscard]] bool has(const Hit& hit) const {
+        return std::any_of(faces_.begin(), faces_.begin() + size_, [&](const Face& face) {
+            return face.part == hit.part && face.primitive == hit.primitive;
+        });
+    }
+
+  private:
+    static constexpr std::size_t kCapacity = 8;
+    struct Face {
+        std::uint32_t part = 0, primitive = 0;
+    };
+    std::array<Face, kCapacity> faces_;
+    std::size_t size_ = 0;
+};
+
+/// Where a ray starts: in the open, or on a surface that it leaves or has gone through.
+struct RayStart {
+    Vec3 p;
+    Hit left;     ///< the surface, where there is one
+    Place place;  ///< what lies where `left` is, itself among it
+    bool is_on_surface = false;
+    bool has_gone_through = false;  ///< else it goes back to where it came from
+    bool is_crowded = false;        ///< other surfaces are within reach of p
+};
+
+/// What the next ray has to know of the surface between two sides.
+struct Interface {
+    Hit hit;      ///< on the surface that counts; t from the ray's start
+    Place place;  ///< all that is gone through with it, or in front of it
+    Matter matter = Matter::Opaque;
+    bool entering = true;     ///< the ray comes from outside the surface's body
+    bool is_crowded = false;  ///< other surfaces are within reach
+    MediumStack beyond;       ///< the bodies around a ray that goes through
+
+    [[nodiscard]] RayStart start(bool goes_through) const {
+        return {hit.p, hit, place, true, goes_through, is_crowded};
+    }
+};
+
+/// Rays that lost track of the bodies around them, by object.
+using LostBodies = std::map<std::uint32_t, std::uint64_t>;
+
+/// Finds interfaces. Not thread-safe: it keeps working memory; scene and tables are shared.
+class InterfaceFinder {
+  public:
+    InterfaceFinder(const Geometry& geometry, const BodyTable& bodies)
+        : geometry_(geometry), bodies_(bodies) {}
+
+    /// The first interface along the unit `d`, nearer than `t_max`. `media` are the bodies around
+    /// the ray; what turns out to be missing there is added and counted in `lost`, and bodies that
+    /// come and go behind others are kept up. False: there is none; `media` are then those at the
+    /// end.
+    bool next(const RayStart& start, Vec3 d, Real t_max, MediumStack& media, Interface& found,
+              LostBodies& lost);
+
+    /// How often a body did not fit into a stack.
+    [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
+    [[nodiscard]] std::uint64_t queries() const { return queries_; }
+    void reset_counts() { overflows_ = queries_ = 0; }
+
+  private:
+    bool find_place(const RayStart& start, Vec3 d, Real t_max, const MediumStack& media);
+    bool find_nearby(const RayStart& start, Vec3 d, Real t_max, const MediumStack& media);
+    void look_around(const RayStart& start, Vec3 d, Real t_max, const MediumStack& media);
+    [[nodiscard]] bool is_left(const RayStart& start, Vec3 d, const MediumStack& media,
+                               const Hit& hit) const;
+    void keep_first_place(Vec3 d);
+    [[nodiscard]] bool is_far_side(std::size_t index, Vec3 d) const;
+
+    [[nodiscard]] const Hit* opaque_in_place(Vec3 d) const;
+    [[nodiscard]] const Hit* sheet_in_place() const;
+    void add_missing(Vec3 d, MediumStack& media, LostBodies& lost);
+    [[nodiscard]] MediumStack cross_place(Vec3 d, const MediumStack& media);
+    bool find_boundary(Vec3 d, MediumStack& media, Interface& found);
+
+    const Geometry& geometry_;
+    const BodyTable& bodies_;
+    std::vector<Hit> place_;  ///< what lies in one place, in front of the ray
+    bool is_crowded_ = false;
+    std::uint64_t overflows_ = 0, queries_ = 0;
+};
+
+}  // namespace bouguer::renderer
