@@ -196,8 +196,13 @@ std::optional<AnalyticShape> AnalyticShape::create(const Shape& shape, const Tra
         const Real axis = length(column(result.to_scene_, i));
         const Real inverse_axis = length(result.to_unit_.a[static_cast<std::size_t>(i)]);
         result.size_ = std::max(result.size_, axis);
+        result.thinnest_ = i == 0 ? axis : std::min(result.thinnest_, axis);
         result.condition_ = std::max(result.condition_, axis * inverse_axis);
     }
+    if (result.kind_ == UnitShape::Disk) result.thinnest_ = 0;
+    result.growth_ = std::sqrt(dot(result.to_unit_.a[0], result.to_unit_.a[0]) +
+                               dot(result.to_unit_.a[1], result.to_unit_.a[1]) +
+                               dot(result.to_unit_.a[2], result.to_unit_.a[2]));
     return result;
 }
 
@@ -238,6 +243,28 @@ bool AnalyticShape::contains(Vec3 p) const {
             return q.x * q.x + q.y * q.y < 1 && q.z > 0 && q.z < 1;
     }
     return false;
+}
+
+bool AnalyticShape::touches(Vec3 p, Real reach) const {
+    const Vec3 q = to_unit_.point(p);
+    const Real r = reach * growth_;
+    const auto is_between = [r](Real squared) {
+        const Real least = std::max(1 - r, Real{0});
+        return squared >= least * least && squared <= (1 + r) * (1 + r);
+    };
+    const Real round = q.x * q.x + q.y * q.y;
+    switch (kind_) {
+        case UnitShape::Sphere:
+            return is_between(round + q.z * q.z);
+        case UnitShape::Disk:
+            return std::abs(q.z) <= r && round <= (1 + r) * (1 + r);
+        case UnitShape::Box:
+            return std::abs(max_abs(q) - 1) <= r;
+        case UnitShape::Cylinder:
+            if (q.z < -r || q.z > 1 + r || round > (1 + r) * (1 + r)) return false;
+            return q.z <= r || q.z >= 1 - r || is_between(round);
+    }
+    return true;
 }
 
 void AnalyticShape::complete(const Ray& ray, AnalyticHit at, Hit& hit) const {

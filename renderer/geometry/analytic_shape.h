@@ -47,6 +47,8 @@ class AnalyticShape {
     [[nodiscard]] std::array<AnalyticHit, 2> crossings(const Ray& ray) const;
     /// Whether `p` is inside; never for a disk.
     [[nodiscard]] bool contains(Vec3 p) const;
+    /// Whether the surface comes within `reach` of `p`.
+    [[nodiscard]] bool touches(Vec3 p, Real reach) const;
     /// Fills t, p, ng, ns, error, resolution and primitive of `hit`. The point is put onto the
     /// surface, so that its error does not grow with the way the ray has come.
     void complete(const Ray& ray, AnalyticHit at, Hit& hit) const;
@@ -56,6 +58,7 @@ class AnalyticShape {
 
     [[nodiscard]] Bounds bounds() const;
     /// Distances that differ by less than this, at distance `t`, cannot be told apart.
+    [[nodiscard]] Real thinnest() const { return thinnest_; }  ///< length of the shortest axis
     [[nodiscard]] Real resolution_at(Real t) const {
         return kRounding * condition_ * (std::abs(t) + size_);
     }
@@ -67,7 +70,9 @@ class AnalyticShape {
 
     UnitShape kind_ = UnitShape::Sphere;
     Real size_ = 0;       ///< length of the longest axis
+    Real thinnest_ = 0;   ///< of the shortest; 0 for a disk
     Real condition_ = 1;  ///< how much the transform amplifies rounding, >= 1
+    Real growth_ = 1;     ///< the most that a length becomes in the space of the unit shape
     Transform to_scene_;
     Transform to_unit_;
 };

@@ -236,6 +236,38 @@ bool EmbreeGeometry::contains(std::uint32_t object, std::uint32_t instance, Vec3
     return votes >= 2;
 }
 
+bool EmbreeGeometry::touches(std::uint32_t object, std::uint32_t instance, Vec3 p,
+                             Real reach) const {
+    const std::size_t part = part_of(object, instance);
+    if (part < data_.num_meshes) return data_.meshes[part].touches(p, reach);
+    if (part < first_plane())
+        return data_.analytic->shapes[part - data_.num_meshes].touches(p, reach);
+    const PlanePart& plane = data_.planes[part - first_plane()];
+    return std::abs(dot(plane.n, p) - plane.offset) <= reach;
+}
+
+bool EmbreeGeometry::is_thin(std::uint32_t object, std::uint32_t instance) const {
+    constexpr Real kThin = 16;  // of what queries confuse
+    const std::size_t part = part_of(object, instance);
+    if (part >= first_plane()) return false;
+    if (part >= data_.num_meshes) {
+        const AnalyticShape& shape = data_.analytic->shapes[part - data_.num_meshes];
+        return shape.thinnest() > 0 && shape.thinnest() <= kThin * data_.mesh_reach;
+    }
+    const MeshPart& mesh = data_.meshes[part];
+    std::vector<Hit> all;
+    Hit own;
+    for (std::uint32_t i = 0; i < mesh.mesh().triangles.size(); ++i) {
+        const Vec3 p = mesh.middle_of(i);
+        mesh.refine({p, {0, 0, 1}}, {i, 0, 1.F / 3, 1.F / 3}, own);
+        crossings({p, -own.ng}, 0, kThin * data_.mesh_reach, all);
+        for (const Hit& hit : all) {
+            if (hit.part == part && !mesh.share_corner(own, hit)) return true;
+        }
+    }
+    return false;
+}
+
 Bounds EmbreeGeometry::bounds(std::uint32_t object, std::uint32_t instance) const {
     const std::size_t part = part_of(object, instance);
     if (part < data_.num_meshes) return data_.mesh_bounds[part];

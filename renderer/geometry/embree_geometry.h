@@ -72,6 +72,9 @@ class EmbreeGeometry final : public Geometry {
     [[nodiscard]] Real reach(const Hit& hit) const override;
     [[nodiscard]] bool contains(std::uint32_t object, std::uint32_t instance,
                                 Vec3 p) const override;
+    [[nodiscard]] bool touches(std::uint32_t object, std::uint32_t instance, Vec3 p,
+                               Real reach) const override;
+    [[nodiscard]] bool is_thin(std::uint32_t object, std::uint32_t instance) const override;
     [[nodiscard]] Bounds bounds(std::uint32_t object, std::uint32_t instance) const override;
     [[nodiscard]] Vec2 surface_uv(const Hit& hit) const override;
     [[nodiscard]] Vec3 smooth_point(const Hit& hit) const override;

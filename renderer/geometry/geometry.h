@@ -102,6 +102,13 @@ class Geometry {
     /// rays in three directions, the majority counts. Disks have no inside.
     [[nodiscard]] virtual bool contains(std::uint32_t object, std::uint32_t instance,
                                         Vec3 p) const = 0;
+    /// Whether the surface of an instance may come within `reach` of `p`. May be wrong about
+    /// meshes in one way: to say yes.
+    [[nodiscard]] virtual bool touches(std::uint32_t object, std::uint32_t instance, Vec3 p,
+                                       Real reach) const = 0;
+    /// Whether two sides of a shape come so near to each other that intersect() may confuse them.
+    /// Looks at every triangle of a mesh.
+    [[nodiscard]] virtual bool is_thin(std::uint32_t object, std::uint32_t instance) const = 0;
     /// Of one instance, in the coordinates of rays; without end for planes.
     [[nodiscard]] virtual Bounds bounds(std::uint32_t object, std::uint32_t instance) const = 0;
 

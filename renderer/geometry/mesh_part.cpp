@@ -47,7 +47,7 @@ Vec3 interpolate(const std::vector<Vec3>& values, const std::array<std::uint32_t
 }  // namespace
 
 MeshBuffer::MeshBuffer(const TriangleMesh& mesh, const Transform& transform, Real over)
-    : scale(over) {
+    : occupancy(mesh), scale(over) {
     xyz.reserve(3 * mesh.positions.size() + 1);
     for (const Vec3& position : mesh.positions) {
         const Vec3 p = transform.point(position) / scale;
@@ -69,7 +69,8 @@ Vec3 MeshBuffer::vertex(std::uint32_t i) const {
 }
 
 std::uint64_t MeshBuffer::bytes() const {
-    return xyz.capacity() * sizeof(float) + planes.capacity() * sizeof(TrianglePlane);
+    return xyz.capacity() * sizeof(float) + planes.capacity() * sizeof(TrianglePlane) +
+           occupancy.bytes();
 }
 
 MeshPart::MeshPart(std::shared_ptr<const TriangleMesh> mesh,
@@ -101,6 +102,18 @@ Real MeshPart::worst_error(Real size) const {
         extent = std::max(extent, static_cast<Real>(plane.extent));
     }
     return kRounding * (own_ ? own_->size * (kBufferReach + extent) : size + extent);
+}
+
+bool MeshPart::touches(Vec3 p, Real reach) const {
+    const Real growth =
+        std::max({length(to_mesh_.a[0]), length(to_mesh_.a[1]), length(to_mesh_.a[2])});
+    return buffer_->occupancy.is_near(to_mesh_.point(p), 2 * growth * reach);
+}
+
+Vec3 MeshPart::middle_of(std::uint32_t triangle) const {
+    const auto& [a, b, c] = mesh_->triangles[triangle];
+    const auto& at = mesh_->positions;
+    return to_scene_.point(1.0 / 3 * (at[a] + at[b] + at[c]));
 }
 
 Vec3 MeshPart::point_in(const TriangleHit& at) const {

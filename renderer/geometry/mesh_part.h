@@ -11,6 +11,7 @@
 #include "renderer/core/transform.h"
 #include "renderer/geometry/bounds.h"
 #include "renderer/geometry/geometry.h"
+#include "renderer/geometry/occupancy.h"
 #include "renderer/geometry/shape.h"
 
 namespace bouguer::renderer {
@@ -32,6 +33,7 @@ struct MeshBuffer {
     [[nodiscard]] Vec3 vertex(std::uint32_t i) const;  ///< not over `scale`
     [[nodiscard]] std::uint64_t bytes() const;
 
+    Occupancy occupancy;     ///< of the mesh in its own coordinates
     std::vector<float> xyz;  ///< [vertex][xyz], and one more: Embree reads 16 bytes a vertex
     std::vector<TrianglePlane> planes;
     Real scale;
@@ -70,6 +72,10 @@ class MeshPart {
 
     /// From the coordinates of rays to the buffer's; for a mesh in coordinates of its own.
     [[nodiscard]] const Transform& to_buffer() const { return own_->to_buffer; }
+    /// As Geometry has them, for the mesh.
+    [[nodiscard]] bool touches(Vec3 p, Real reach) const;
+    [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
+    [[nodiscard]] Vec3 middle_of(std::uint32_t triangle) const;
     /// The worst error of a hit on this mesh, scene units. `size` is its largest coordinate.
     [[nodiscard]] Real worst_error(Real size) const;
 

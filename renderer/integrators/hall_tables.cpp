@@ -5,27 +5,8 @@
 #include <set>
 
 namespace bouguer::renderer {
-namespace {
-
-/// Disks are sheets: no inside, so no refraction and no absorption.
-std::vector<BodyDescription> bodies_of(const Scene& scene) {
-    std::vector<BodyDescription> bodies;
-    for (std::size_t i = 0; i < scene.object_materials().size(); ++i) {
-        const ObjectTraits& traits = scene.object_traits()[i];
-        const bool transmits = needs_of(scene.materials()[scene.object_materials()[i]]).transmits;
-        const Matter through = traits.is_sheet ? Matter::Sheet : Matter::Body;
-        bodies.push_back({transmits ? through : Matter::Opaque, traits.is_sheet, traits.priority,
-                          traits.is_closed, traits.instances});
-    }
-    return bodies;
-}
-
-}  // namespace
-
 HallTables::HallTables(const Scene& scene, const SpectralBasis& basis)
-    : spectra(basis.size()),
-      object_surface(scene.object_materials()),
-      bodies(bodies_of(scene), scene.geometry()) {
+    : spectra(basis.size()), object_surface(scene.object_materials()), bodies(scene.bodies()) {
     // What no object uses stays unbound: the basis was chosen without it.
     surfaces.resize(scene.materials().size());
     const std::set<std::uint32_t> used(object_surface.begin(), object_surface.end());

@@ -22,7 +22,7 @@ class HallTables {
     SpectralTable spectra;
     std::vector<Surface> surfaces;                  ///< by material
     std::vector<std::uint32_t> object_surface;      ///< by object
-    BodyTable bodies;                               ///< what light goes through, by priority
+    const BodyTable& bodies;                        ///< what light goes through, by priority
     std::vector<std::size_t> light_emission;        ///< by lamp
     std::optional<std::size_t> environment;         ///< radiance of rays that leave
     std::optional<std::size_t> ambient_illuminant;  ///< empty: what arrives from the lamps

@@ -142,16 +142,11 @@ class HallWalk {
             return scratch_.interfaces.next(start, d, t_max, media, face, counters_.lost_bodies);
         }
         ++counters_.rays;
-        const auto hit = scene_.geometry().intersect_within({origin_of(start, d), d}, t_max);
+        const auto hit = scene_.geometry().intersect_within({start.origin(d), d}, t_max);
         if (!hit) return false;
         face.hit = *hit;
         face.entering = dot(hit->ng, d) < 0;
         return true;
-    }
-
-    [[nodiscard]] static Vec3 origin_of(const RayStart& start, Vec3 d) {
-        return start.is_on_surface ? start.p + leave_surface(start.left, d) - start.left.p
-                                   : start.p;
     }
 
     /// Fills all of `at` but its face.
@@ -272,7 +267,7 @@ class HallWalk {
         if (at.face.matter == Matter::Opaque && !at.face.is_crowded) start_from_smooth(at, start);
         if constexpr (!Transparency) {
             ++counters_.rays;
-            return !scene_.geometry().occluded({origin_of(start, wi), wi}, distance);
+            return !scene_.geometry().occluded({start.origin(wi), wi}, distance);
         }
         return light_passes(start, wi, distance, behind ? at.face.beyond : media, tint);
     }
@@ -280,7 +275,7 @@ class HallWalk {
     /// Rays to lamps leave the smooth surface that a mesh stands for, not its facets.
     void start_from_smooth(const SurfacePoint& at, RayStart& start) const {
         start.p = scene_.geometry().smooth_point(at.face.hit);
-        if (start.p != at.face.hit.p) start.left.ng = at.n;
+        if (start.p != at.face.hit.p) start.ng = at.n;
     }
 
     /// Follows a ray to a lamp straight through transparent bodies. False: something opaque is in

@@ -2,6 +2,7 @@
 #include "renderer/media/body_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace bouguer::renderer {
@@ -10,6 +11,18 @@ namespace {
 bool is_within(const Bounds& box, Vec3 p, Real reach) {
     const Vec3 margin = reach * Vec3{1, 1, 1};
     return min(box.lo - margin, p) == box.lo - margin && max(box.hi + margin, p) == box.hi + margin;
+}
+
+/// Whether two boxes come near each other: by a millionth of their size.
+bool is_overlapping(const Bounds& a, const Bounds& b) {
+    const auto margin = [](const Bounds& box) {
+        const Real size = max_abs(box.hi - box.lo) + max_abs(box.lo);
+        return std::isfinite(size) ? 1e-5 * size : 0;
+    };
+    const Vec3 m = (margin(a) + margin(b)) * Vec3{1, 1, 1};
+    const Vec3 lo = max(a.lo, b.lo) - m;
+    const Vec3 hi = min(a.hi, b.hi) + m;
+    return lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z;
 }
 
 }  // namespace
@@ -28,11 +41,39 @@ BodyTable::BodyTable(std::span<const BodyDescription> objects, const Geometry& g
     for (const std::uint32_t object : order) {
         if (matter_[object] != Matter::Body) continue;
         first_body_[object] = static_cast<BodyId>(bodies_.size());
+        for (std::uint32_t i = 0; i < objects[object].instances; ++i)
+            bodies_.push_back({{object, i}, geometry.bounds(object, i), objects[object].is_closed});
+    }
+    find_neighbours(objects);
+}
+
+/// What light goes through is compared with everything. Not done where that is too much; then every
+/// hit is taken for one near others.
+void BodyTable::find_neighbours(std::span<const BodyDescription> objects) {
+    constexpr std::size_t kMostPairs = 4'000'000;
+    std::vector<Placed> all;
+    std::vector<Bounds> bounds;
+    for (std::uint32_t object = 0; object < objects.size(); ++object) {
+        first_instance_.push_back(all.size());
         for (std::uint32_t i = 0; i < objects[object].instances; ++i) {
-            bodies_.push_back({object, i, geometry.bounds(object, i), objects[object].is_closed});
-            if (bodies_.back().is_half_space()) continue;
-            all_.add(bodies_.back().bounds);
-            ++num_bounded_;
+            all.push_back({object, i});
+            bounds.push_back(geometry_.bounds(object, i));
+        }
+    }
+    std::vector<std::size_t> passed;  // what light goes through
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (matter_[all[i].object] != Matter::Opaque) passed.push_back(i);
+    }
+    is_unknown_ = all.size() * passed.size() > kMostPairs;
+    if (is_unknown_) return;
+    neighbourhoods_.resize(all.size());
+    for (const std::size_t own : passed) {
+        neighbourhoods_[own].is_thin = geometry_.is_thin(all[own].object, all[own].instance);
+        for (std::size_t other = 0; other < all.size(); ++other) {
+            if (other == own || !is_overlapping(bounds[own], bounds[other])) continue;
+            neighbourhoods_[own].neighbours.push_back(all[other]);
+            if (matter_[all[other].object] == Matter::Opaque)
+                neighbourhoods_[other].neighbours.push_back(all[own]);
         }
     }
 }
@@ -40,7 +81,7 @@ BodyTable::BodyTable(std::span<const BodyDescription> objects, const Geometry& g
 MediumStack BodyTable::around(Vec3 p) const {
     MediumStack media;
     for (BodyId body = 0; body < bodies_.size(); ++body) {
-        const Placed& placed = bodies_[body];
+        const PlacedBody& placed = bodies_[body];
         if (is_within(placed.bounds, p, 0) && placed.is_closed &&
             geometry_.contains(placed.object, placed.instance, p)) {
             media.enter(body);
@@ -49,40 +90,22 @@ MediumStack BodyTable::around(Vec3 p) const {
     return media;
 }
 
-bool BodyTable::is_near(Vec3 p, Real reach) const {
-    // Many boxes are not asked one by one: to look where nothing is costs time, nothing else.
-    constexpr std::size_t kMany = 16;
-    if (num_bounded_ > 0 && is_within(all_, p, reach)) {
-        if (num_bounded_ > kMany) return true;
-        for (const Placed& body : bodies_) {
-            if (!body.is_half_space() && is_within(body.bounds, p, reach)) return true;
-        }
-    }
-    return num_bounded_ < bodies_.size() &&
-           std::any_of(bodies_.begin(), bodies_.end(), [&](const Placed& body) {
-               return body.is_half_space() && is_at_boundary(body, p, reach);
+bool BodyTable::is_near_others(const Hit& hit, Real reach) const {
+    if (is_unknown_) return true;
+    const Neighbourhood& around = neighbourhoods_[first_instance_[hit.object] + hit.instance];
+    return around.is_thin ||
+           std::any_of(around.neighbours.begin(), around.neighbours.end(), [&](const Placed& n) {
+               return geometry_.touches(n.object, n.instance, hit.p, reach);
            });
 }
 
-/// Whether a step of `reach` along some axis leads from one side to the other.
-bool BodyTable::is_at_boundary(const Placed& body, Vec3 p, Real reach) const {
-    const bool inside = geometry_.contains(body.object, body.instance, p);
-    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-        for (const Real step : {-2 * reach, 2 * reach}) {
-            if (geometry_.contains(body.object, body.instance, p + step * axis) != inside)
-                return true;
-        }
-    }
-    return false;
-}
-
 bool BodyTable::may_end_at(BodyId body, Vec3 p, Real reach) const {
-    const Placed& placed = bodies_[body];
+    const PlacedBody& placed = bodies_[body];
     return placed.is_closed && is_within(placed.bounds, p, reach);
 }
 
 bool BodyTable::may_leave_along(BodyId body, Vec3 d) const {
-    const Placed& placed = bodies_[body];
+    const PlacedBody& placed = bodies_[body];
     if (!placed.is_half_space()) return false;
     // Far enough along d the ray is inside, however the plane lies.
     return geometry_.contains(placed.object, placed.instance, 1e30 * d);

@@ -51,8 +51,9 @@ class BodyTable {
 
     /// The bodies around a point. Those that do not fit are left out.
     [[nodiscard]] MediumStack around(Vec3 p) const;
-    /// Whether `p` is within `reach` of a body's bounding box, or of the boundary of a half-space.
-    [[nodiscard]] bool is_near(Vec3 p, Real reach) const;
+    /// Whether something that matters may lie so near to a hit that queries confuse the two: a
+    /// body, or to a body anything. `reach` is Geometry::reach(hit).
+    [[nodiscard]] bool is_near_others(const Hit& hit, Real reach) const;
     /// Whether a ray inside `body` may end at `p`, which rays see off by `reach`. False: it has
     /// left the body without meeting its surface; also when the body has no inside.
     [[nodiscard]] bool may_end_at(BodyId body, Vec3 p, Real reach) const;
@@ -62,21 +63,29 @@ class BodyTable {
   private:
     struct Placed {
         std::uint32_t object = 0, instance = 0;
+    };
+    struct PlacedBody : Placed {
         Bounds bounds;
         bool is_closed = true;
         [[nodiscard]] bool is_half_space() const { return bounds.hi.x > kFinite; }
         static constexpr Real kFinite = std::numeric_limits<Real>::max();
     };
+    /// What may touch an instance.
+    struct Neighbourhood {
+        bool is_thin = false;  ///< it touches itself
+        std::vector<Placed> neighbours;
+    };
 
-    [[nodiscard]] bool is_at_boundary(const Placed& body, Vec3 p, Real reach) const;
+    void find_neighbours(std::span<const BodyDescription> objects);
 
     const Geometry& geometry_;
     std::vector<Matter> matter_;
     std::vector<bool> flat_;
-    std::vector<BodyId> first_body_;  ///< by object
-    std::vector<Placed> bodies_;      ///< by number
-    Bounds all_;                      ///< of those with an end
-    std::size_t num_bounded_ = 0;
+    std::vector<BodyId> first_body_;             ///< by object
+    std::vector<PlacedBody> bodies_;             ///< by number
+    std::vector<std::size_t> first_instance_;    ///< by object: in neighbourhoods_
+    bool is_unknown_ = false;                    ///< what is near what: there is too much
+    std::vector<Neighbourhood> neighbourhoods_;  ///< by instance, unless they are too many
 };
 
 }  // namespace bouguer::renderer

@@ -12,18 +12,24 @@ namespace {
 /// bodies of higher priority.
 constexpr int kMaxPlaces = 4096;
 
-/// How far along `d` to look for what may be confused with `hit`. At grazing incidence more, but
-/// not without end.
-Real reach_along(const Hit& hit, Vec3 d, Real reach) {
+/// How far along `d` to look for what queries may confuse with a surface of unit normal `ng`. At
+/// grazing incidence more, but not without end.
+Real reach_along(Vec3 ng, Vec3 d, Real reach) {
     constexpr Real kLeastCosine = 1.0 / 64;
-    return 4 * reach / std::max(std::abs(dot(hit.ng, d)), kLeastCosine);
+    return 4 * reach / std::max(std::abs(dot(ng, d)), kLeastCosine);
+}
+
+/// resolution_along() for the surface that a ray starts on.
+Real resolution_along(const RayStart& start, Vec3 d) {
+    constexpr Real kLeastCosine = 0x1p-20;
+    return start.resolution / std::max(std::abs(dot(start.ng, d)), kLeastCosine);
 }
 
 bool is_entering(const Hit& hit, Vec3 d) { return dot(hit.ng, d) < 0; }
 
-bool is_same_plane(const Hit& a, const Hit& b) {
+bool is_same_plane(Vec3 n, Vec3 m) {
     constexpr Real kParallel = 1 - 1e-6;
-    return std::abs(dot(a.ng, b.ng)) > kParallel;
+    return std::abs(dot(n, m)) > kParallel;
 }
 
 }  // namespace
@@ -37,11 +43,12 @@ bool InterfaceFinder::next(const RayStart& start, Vec3 d, Real t_max, MediumStac
         const Hit first = place_.front();
         way += first.t;
         found.is_crowded = is_crowded_;
+        found.reach = is_crowded_ ? geometry_.reach(first) : 0;
         const Hit* opaque = opaque_in_place(d);
         const Hit* sheet = opaque == nullptr ? sheet_in_place() : nullptr;
         if (const Hit* only = opaque != nullptr ? opaque : sheet) {
             found.hit = *only;
-            found.place = Place({*only});
+            found.place = Place(*only);
             found.matter = opaque != nullptr ? Matter::Opaque : Matter::Sheet;
             found.entering = is_entering(*only, d);
             found.beyond = media;
@@ -53,7 +60,10 @@ bool InterfaceFinder::next(const RayStart& start, Vec3 d, Real t_max, MediumStac
             found.hit.t = way;
             return true;
         }
-        from = {first.p, first, Place(place_), true, true, is_crowded_};
+        from =
+            Interface{first, Place(place_), geometry_.reach(first), Matter::Body, true, is_crowded_,
+                      {}}
+                .start(true);
     }
     return false;
 }
@@ -64,11 +74,11 @@ bool InterfaceFinder::find_place(const RayStart& start, Vec3 d, Real t_max,
     Vec3 o = start.p;
     if (start.is_on_surface) {
         if (!start.is_crowded) {
-            o = start.p + leave_surface(start.left, d) - start.left.p;
+            o = start.origin(d);
         } else {
             if (find_nearby(start, d, t_max, media)) return true;
             // What comes next is nowhere near: half of the way that has been looked through.
-            o = start.p + reach_along(start.left, d, geometry_.reach(start.left)) * d;
+            o = start.p + reach_along(start.ng, d, start.reach) * d;
         }
     }
     const Real skipped = dot(o - start.p, d);
@@ -78,7 +88,7 @@ bool InterfaceFinder::find_place(const RayStart& start, Vec3 d, Real t_max,
     place_.assign(1, *hit);
     place_.front().t += skipped;
     is_crowded_ = false;
-    if (!hit->is_alone && bodies_.is_near(hit->p, geometry_.reach(*hit))) {
+    if (!hit->is_alone && bodies_.is_near_others(*hit, 4 * geometry_.reach(*hit))) {
         look_around(start, d, t_max, media);
     }
     return true;
@@ -87,7 +97,7 @@ bool InterfaceFinder::find_place(const RayStart& start, Vec3 d, Real t_max,
 /// Looks for what is within reach of the start.
 bool InterfaceFinder::find_nearby(const RayStart& start, Vec3 d, Real t_max,
                                   const MediumStack& media) {
-    const Real reach = reach_along(start.left, d, geometry_.reach(start.left));
+    const Real reach = reach_along(start.ng, d, start.reach);
     ++queries_;
     geometry_.crossings({start.p, d}, -reach, 2 * reach, place_);
     std::erase_if(place_, [&](const Hit& hit) {
@@ -104,12 +114,12 @@ bool InterfaceFinder::find_nearby(const RayStart& start, Vec3 d, Real t_max,
 void InterfaceFinder::look_around(const RayStart& start, Vec3 d, Real t_max,
                                   const MediumStack& media) {
     const Hit nearest = place_.front();
-    const Real reach = reach_along(nearest, d, geometry_.reach(nearest));
+    const Real reach = reach_along(nearest.ng, d, geometry_.reach(nearest));
     ++queries_;
     geometry_.crossings({start.p, d}, nearest.t - reach, nearest.t + reach, place_);
     // Near the start only what the ray has not left; without a start, only what is in front.
     const Real near =
-        start.is_on_surface ? reach_along(start.left, d, geometry_.reach(start.left)) : 0;
+        start.is_on_surface ? reach_along(start.ng, d, std::max(start.reach, start.error)) : 0;
     std::erase_if(place_, [&](const Hit& hit) {
         if (hit.t >= t_max - resolution_along(hit, d)) return true;
         return hit.t <= near && (!start.is_on_surface || is_left(start, d, media, hit));
@@ -125,21 +135,21 @@ void InterfaceFinder::look_around(const RayStart& start, Vec3 d, Real t_max,
 /// Whether a ray from `start` has left `hit` behind it, or is on its way off it.
 bool InterfaceFinder::is_left(const RayStart& start, Vec3 d, const MediumStack& media,
                               const Hit& hit) const {
-    const Real same_place = resolution_along(hit, d) + resolution_along(start.left, d);
+    const Real same_place = resolution_along(hit, d) + resolution_along(start, d);
     if (std::abs(hit.t) <= same_place && start.place.has(hit)) return true;
     // Of what is in the place of a sheet only the sheet has been met.
-    const bool from_sheet = bodies_.matter_of(start.left.object) == Matter::Sheet;
+    const bool from_sheet = bodies_.matter_of(start.object) == Matter::Sheet;
     if (hit.t < (from_sheet ? -same_place : 0)) return true;
     const Matter matter = bodies_.matter_of(hit.object);
     if (matter == Matter::Body) return is_entering(hit, d) == media.holds(bodies_.body_of(hit));
-    if (hit.object == start.left.object && hit.instance == start.left.instance) {
-        return is_entering(hit, d) == is_entering(start.left, d);
+    if (hit.object == start.object && hit.instance == start.instance) {
+        return is_entering(hit, d) == (dot(start.ng, d) < 0);
     }
-    if (hit.t > same_place || !is_same_plane(hit, start.left)) return false;
+    if (hit.t > same_place || !is_same_plane(hit.ng, start.ng)) return false;
     if (matter == Matter::Opaque) return true;
     // Of sheets in one place the one that stands first in the scene is gone through first.
     if (!from_sheet) return start.has_gone_through;
-    return (hit.object < start.left.object) == start.has_gone_through;
+    return (hit.object < start.object) == start.has_gone_through;
 }
 
 /// Drops from place_, which is in the order of t, what lies beyond the first place.

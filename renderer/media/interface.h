@@ -28,6 +28,7 @@ namespace bouguer::renderer {
 class Place {
   public:
     Place() = default;
+    explicit Place(const Hit& only) : size_(1) { faces_[0] = {only.part, only.primitive}; }
     explicit Place(const std::vector<Hit>& hits) {
         for (; size_ < std::min(hits.size(), kCapacity); ++size_)
             faces_[size_] = {hits[size_].part, hits[size_].primitive};
@@ -39,35 +40,42 @@ class Place {
     }
 
   private:
-    static constexpr std::size_t kCapacity = 8;
+    static constexpr std::size_t kCapacity = 4;
     struct Face {
-        std::uint32_t part = 0, primitive = 0;
+        std::uint32_t part, primitive;
     };
-    std::array<Face, kCapacity> faces_;
+    std::array<Face, kCapacity> faces_;  // only the first size_ mean anything
     std::size_t size_ = 0;
 };
 
 /// Where a ray starts: in the open, or on a surface that it leaves or has gone through.
 struct RayStart {
     Vec3 p;
-    Hit left;     ///< the surface, where there is one
-    Place place;  ///< what lies where `left` is, itself among it
+    Vec3 ng;                                    ///< unit normal of the surface, on either side
+    Real error = 0, resolution = 0, reach = 0;  ///< of the hit there (see Hit, Geometry::reach)
+    std::uint32_t object = 0, instance = 0;     ///< whose surface it is
     bool is_on_surface = false;
     bool has_gone_through = false;  ///< else it goes back to where it came from
     bool is_crowded = false;        ///< other surfaces are within reach of p
+    Place place;                    ///< what lies in the same place, the surface itself among it
+
+    /// The origin of a ray along `d` that does not meet the surface again (see leave_surface()).
+    [[nodiscard]] Vec3 origin(Vec3 d) const { return p + (dot(d, ng) < 0 ? -error : error) * ng; }
 };
 
 /// What the next ray has to know of the surface between two sides.
 struct Interface {
-    Hit hit;      ///< on the surface that counts; t from the ray's start
-    Place place;  ///< all that is gone through with it, or in front of it
+    Hit hit;         ///< on the surface that counts; t from the ray's start
+    Place place;     ///< all that is gone through with it, or in front of it
+    Real reach = 0;  ///< Geometry::reach(hit)
     Matter matter = Matter::Opaque;
     bool entering = true;     ///< the ray comes from outside the surface's body
     bool is_crowded = false;  ///< other surfaces are within reach
     MediumStack beyond;       ///< the bodies around a ray that goes through
 
     [[nodiscard]] RayStart start(bool goes_through) const {
-        return {hit.p, hit, place, true, goes_through, is_crowded};
+        return {hit.p,        hit.ng, hit.error,    hit.resolution, reach, hit.object,
+                hit.instance, true,   goes_through, is_crowded,     place};
     }
 };
 

@@ -20,6 +20,16 @@ class MediumStack {
     static constexpr std::size_t kCapacity = 64;
     static constexpr BodyId kOutside = ~BodyId{0};
 
+    MediumStack() = default;
+    MediumStack(const MediumStack& other) { *this = other; }
+    /// Copies what is in use only: most rays are in one body or none.
+    MediumStack& operator=(const MediumStack& other) {
+        size_ = other.size_;
+        std::copy(other.begin(), other.end(), bodies_.data());
+        return *this;
+    }
+    ~MediumStack() = default;
+
     /// The body that is where the ray is; kOutside when there is none.
     [[nodiscard]] BodyId current() const { return size_ == 0 ? kOutside : bodies_[0]; }
     [[nodiscard]] bool holds(BodyId body) const { return count(body) > 0; }

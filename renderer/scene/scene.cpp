@@ -4,6 +4,20 @@
 #include "renderer/render.h"
 
 namespace bouguer::renderer {
+namespace {
+
+/// Disks are sheets: no inside, so no refraction and no absorption.
+BodyDescription body_of(const ObjectDescription& object, const SceneDescription& scene) {
+    BodyDescription body;
+    body.is_flat = std::holds_alternative<Disk>(object.placed.shape);
+    if (needs_of(scene.materials[object.material]).transmits)
+        body.matter = body.is_flat ? Matter::Sheet : Matter::Body;
+    body.priority = object.priority;
+    body.instances = static_cast<std::uint32_t>(object.placed.instances.size());
+    return body;
+}
+
+}  // namespace
 
 Result<std::shared_ptr<const Scene>> Scene::build(const SceneDescription& description,
                                                   const GeometryWrapper& wrap) {
@@ -19,18 +33,17 @@ Result<std::shared_ptr<const Scene>> Scene::build(const SceneDescription& descri
     scene->materials_ = description.materials;
     scene->environment_ = description.environment;
     scene->ambient_ = description.ambient;
+    std::vector<BodyDescription> bodies;
     for (const ObjectDescription& object : description.objects) {
         scene->object_materials_.push_back(static_cast<std::uint32_t>(object.material));
         scene->object_names_.push_back(object.name);
-        ObjectTraits& traits = scene->object_traits_.emplace_back();
-        traits.is_sheet = std::holds_alternative<Disk>(object.placed.shape);
-        traits.priority = object.priority;
-        traits.instances = static_cast<std::uint32_t>(object.placed.instances.size());
+        bodies.push_back(body_of(object, description));
         if (const auto* mesh =
                 std::get_if<std::shared_ptr<const TriangleMesh>>(&object.placed.shape)) {
             scene->dropped_triangles_ += (*mesh)->dropped_triangles;
         }
     }
+    scene->bodies_ = std::make_unique<const BodyTable>(bodies, *scene->geometry_);
     const Vec3 origin = scene->geometry_->origin();
     for (const LightDescription& light : description.lights) {
         scene->lights_.push_back(Light::make(light, origin, description.metres_per_unit));

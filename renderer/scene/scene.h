@@ -13,16 +13,10 @@
 #include "renderer/core/result.h"
 #include "renderer/geometry/geometry.h"
 #include "renderer/lights/light.h"
+#include "renderer/media/body_table.h"
 #include "renderer/scene/description.h"
 
 namespace bouguer::renderer {
-
-struct ObjectTraits {
-    bool is_sheet = false;  ///< a disk: it has no inside
-    bool is_closed = true;  ///< false: a mesh whose inside cannot be told from its outside
-    int priority = 0;
-    std::uint32_t instances = 1;
-};
 
 class Scene {
   public:
@@ -42,8 +36,8 @@ class Scene {
     [[nodiscard]] const std::vector<std::uint32_t>& object_materials() const {
         return object_materials_;
     }
-    /// What bodies are told apart by; by the object's index.
-    [[nodiscard]] const std::vector<ObjectTraits>& object_traits() const { return object_traits_; }
+    /// Which objects light goes through, and which counts where they overlap.
+    [[nodiscard]] const BodyTable& bodies() const { return *bodies_; }
     /// Of every object, for reports; by the object's index.
     [[nodiscard]] const std::vector<std::string>& object_names() const { return object_names_; }
     [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
@@ -59,7 +53,7 @@ class Scene {
     CameraDescription camera_;
     std::vector<MaterialDescription> materials_;
     std::vector<std::uint32_t> object_materials_;
-    std::vector<ObjectTraits> object_traits_;
+    std::unique_ptr<const BodyTable> bodies_;
     std::vector<std::string> object_names_;
     std::vector<Light> lights_;
     std::optional<ConstantEnvironment> environment_;

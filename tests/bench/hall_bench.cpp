@@ -58,6 +58,12 @@ class RecordingGeometry final : public Geometry {
     bool contains(std::uint32_t object, std::uint32_t instance, Vec3 p) const override {
         return inner_->contains(object, instance, p);
     }
+    bool touches(std::uint32_t object, std::uint32_t instance, Vec3 p, Real reach) const override {
+        return inner_->touches(object, instance, p, reach);
+    }
+    bool is_thin(std::uint32_t object, std::uint32_t instance) const override {
+        return inner_->is_thin(object, instance);
+    }
     Bounds bounds(std::uint32_t object, std::uint32_t instance) const override {
         return inner_->bounds(object, instance);
     }
