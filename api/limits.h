@@ -31,7 +31,7 @@ struct Limits {
     std::int64_t samples = 1'000'000;  ///< a pixel
     double pixel_samples = 1e11;       ///< pixels x samples
     double seconds = 86'400;           ///< of a stop rule
-    int max_depth = 64;
+    int max_depth = 1000;
     std::size_t labels = 32;
     std::size_t transform_steps = 100;         ///< of one transform
     std::uint64_t memory_bytes = 4ULL << 30U;  ///< estimated for film and geometry of one job

@@ -55,6 +55,8 @@ OrderedJson notes_object(const renderer::SpectrumNotes& notes) {
 OrderedJson bias_object(const renderer::Bias& bias) {
     OrderedJson json = {{"depth_limit_throughput", bias.depth_limit_throughput},
                         {"threshold_throughput", bias.threshold_throughput},
+                        {"depth_limit_share", bias.depth_limit_share},
+                        {"threshold_share", bias.threshold_share},
                         {"wavelength_relative", or_null(bias.wavelength_relative)}};
     json.update(notes_object(bias.spectra));
     return json;
@@ -75,6 +77,13 @@ OrderedJson unfinished_pass_object(const std::optional<renderer::UnfinishedPass>
     return {{"pixels", pass->pixels}, {"without_sample", pass->without_sample}};
 }
 
+OrderedJson unmatched_objects(const renderer::Health& health) {
+    OrderedJson objects = OrderedJson::array();
+    for (const renderer::UnmatchedExits& of : health.unmatched_objects)
+        objects.push_back({{"object", of.object}, {"count", of.count}});
+    return objects;
+}
+
 OrderedJson health_object(const renderer::Health& health) {
     OrderedJson examples = OrderedJson::array();
     for (const renderer::RejectedSample& sample : health.rejected) {
@@ -90,7 +99,9 @@ OrderedJson health_object(const renderer::Health& health) {
               {"examples", examples}}},
             {"rays_cut_by_depth", health.rays_cut_by_depth},
             {"rays_cut_by_threshold", health.rays_cut_by_threshold},
+            {"blackened_samples", health.blackened_samples},
             {"unmatched_exits", health.unmatched_exits},
+            {"unmatched_objects", unmatched_objects(health)},
             {"medium_stack_overflows", health.medium_stack_overflows},
             {"shadow_rays_cut", health.shadow_rays_cut},
             {"total_reflections", health.total_reflections},

@@ -35,9 +35,10 @@ struct Filter {
 /// What decides the value of every sample. Equal scene and equal settings give equal bytes.
 struct RenderSettings {
     IntegratorType integrator = IntegratorType::Hall;
-    int max_depth = 8;            ///< reflections and refractions in a row, [0, 64]
-    Real min_throughput = 1e-3;   ///< rays whose every component weighs less are not followed; what
-                                  ///< they carry is reported
+    int max_depth = 64;  ///< reflections and refractions in a row, [0, 1000]
+    /// A ray is not followed when what it may add to a sample, judged by the brightest light that
+    /// the sample and the scene have shown, is less than this share of what the sample has found.
+    Real min_throughput = 1e-3;
     Real wavelength_step_nm = 5;  ///< quadrature, [1, 100]
     std::string observer = "cie1931-2";  ///< one of observers(); XYZ is his
     Filter filter;

@@ -102,13 +102,8 @@ void set_ray(RTCRay& r, const Ray& ray, Real scale, Real shift, Real t_max) {
     std::memcpy(&r.tfar, &rest, sizeof(rest));
 }
 
-std::optional<Hit> EmbreeGeometry::intersect(const Ray& ray) const {
-    return intersect_within(ray, kInfinity);
-}
-
-std::optional<Hit> EmbreeGeometry::intersect_within(const Ray& ray, Real t_max) const {
-    std::optional<Hit> result;
-    if (!is_finite(ray) || !(t_max > 0)) return result;
+bool EmbreeGeometry::nearest(const Ray& ray, Real t_max, Hit& hit) const {
+    if (!is_finite(ray) || !(t_max > 0)) return false;
     Real t_plane = kInfinity;
     std::size_t plane = 0;
     for (std::size_t i = 0; i < data_.planes.size(); ++i) {
@@ -118,20 +113,18 @@ std::optional<Hit> EmbreeGeometry::intersect_within(const Ray& ray, Real t_max) 
             plane = i;
         }
     }
-    Hit& hit = result.emplace();
     const bool found = data_.scene && intersect_bvh(data_, ray, std::min(t_plane, t_max), hit);
     const bool tied = found && hit.t < t_plane && t_plane < kInfinity &&
                       stands_on(data_.planes[plane], t_plane, hit);
     const bool plane_first = t_plane < kInfinity && (tied || !(found && hit.t < t_plane));
     if (plane_first) {
-        const Hit behind = hit;
+        const Real error = tied ? hit.error : 0;
         complete(data_.planes[plane], ray, t_plane, hit);
-        if (tied) hit.error = std::max(hit.error, behind.error);
+        hit.error = std::max(hit.error, error);
         set_owner(hit, first_plane() + plane, data_.planes[plane].owner);
     }
-    if (plane_first || data_.planes.size() > 0) hit.is_alone = false;
-    if (!(plane_first || found) || !(hit.t < t_max - resolution_along(hit, ray.d))) result.reset();
-    return result;
+    if (!data_.planes.empty()) hit.is_alone = false;
+    return (plane_first || found) && hit.t < t_max - resolution_along(hit, ray.d);
 }
 
 bool EmbreeGeometry::occluded(const Ray& ray, Real t_max) const {

@@ -65,8 +65,7 @@ class EmbreeGeometry final : public Geometry {
   public:
     explicit EmbreeGeometry(GeometryData data) : data_(std::move(data)) {}
 
-    [[nodiscard]] std::optional<Hit> intersect(const Ray& ray) const override;
-    [[nodiscard]] std::optional<Hit> intersect_within(const Ray& ray, Real t_max) const override;
+    bool nearest(const Ray& ray, Real t_max, Hit& hit) const override;
     [[nodiscard]] bool occluded(const Ray& ray, Real t_max) const override;
     void crossings(const Ray& ray, Real from, Real to, std::vector<Hit>& crossings) const override;
     [[nodiscard]] Real reach(const Hit& hit) const override;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "renderer/core/result.h"
@@ -74,18 +75,21 @@ class Geometry {
         std::span<const PlacedShape> shapes, const GeometryOptions& options = {});
     virtual ~Geometry() = default;
 
-    /// The nearest surface along the ray; empty when it leaves the scene. `ray.d` is unit; rays
-    /// with a component that is not finite hit nothing.
-    [[nodiscard]] virtual std::optional<Hit> intersect(const Ray& ray) const = 0;
-    /// As intersect(), but of the surfaces nearer than `t_max` only; cheaper when there is none.
-    /// What is in the place where the ray ends counts as not nearer: a lamp in a ceiling is not
-    /// shadowed by it.
-    [[nodiscard]] virtual std::optional<Hit> intersect_within(const Ray& ray, Real t_max) const {
-        auto hit = intersect(ray);
-        if (hit && !(hit->t < t_max - resolution_along(*hit, ray.d))) hit.reset();
-        return hit;
+    /// The nearest surface along the ray, nearer than `t_max`; false when there is none, and `hit`
+    /// then means nothing. What is in the place where the ray ends counts as not nearer: a lamp in
+    /// a ceiling is not shadowed by it. `ray.d` is unit; rays with a component that is not finite
+    /// hit nothing.
+    virtual bool nearest(const Ray& ray, Real t_max, Hit& hit) const = 0;
+    /// The same as a value.
+    [[nodiscard]] std::optional<Hit> intersect_within(const Ray& ray, Real t_max) const {
+        std::optional<Hit> result(std::in_place);
+        if (!nearest(ray, t_max, *result)) result.reset();
+        return result;
     }
-    /// Whether anything lies within `t_max` along the ray, as intersect_within() has it. Use
+    [[nodiscard]] std::optional<Hit> intersect(const Ray& ray) const {
+        return intersect_within(ray, std::numeric_limits<Real>::infinity());
+    }
+    /// Whether anything lies within `t_max` along the ray, as nearest() has it. Use
     /// infinity for lights at infinity.
     [[nodiscard]] virtual bool occluded(const Ray& ray, Real t_max) const = 0;
 
@@ -94,7 +98,7 @@ class Geometry {
     /// held. Of a convex shape both crossings count; of a mesh all.
     virtual void crossings(const Ray& ray, Real from, Real to,
                            std::vector<Hit>& crossings) const = 0;
-    /// How far from a hit, along its normal, intersect() may confuse the order of surfaces, scene
+    /// How far from a hit, along its normal, nearest() may confuse the order of surfaces, scene
     /// units. crossings() does not.
     [[nodiscard]] virtual Real reach(const Hit& hit) const = 0;
 
@@ -106,7 +110,7 @@ class Geometry {
     /// meshes in one way: to say yes.
     [[nodiscard]] virtual bool touches(std::uint32_t object, std::uint32_t instance, Vec3 p,
                                        Real reach) const = 0;
-    /// Whether two sides of a shape come so near to each other that intersect() may confuse them.
+    /// Whether two sides of a shape come so near to each other that nearest() may confuse them.
     /// Looks at every triangle of a mesh.
     [[nodiscard]] virtual bool is_thin(std::uint32_t object, std::uint32_t instance) const = 0;
     /// Of one instance, in the coordinates of rays; without end for planes.
@@ -114,7 +118,7 @@ class Geometry {
 
     /// Surface coordinates of a hit: a mesh's own, interpolated, or the barycentric ones; those of
     /// AnalyticShape::uv; for planes the coordinates along two axes of the plane, scene units.
-    /// Apart from intersect() because few scenes need them.
+    /// Apart from nearest() because few scenes need them.
     [[nodiscard]] virtual Vec2 surface_uv(const Hit& hit) const = 0;
 
     /// Where the smooth surface that a mesh's normals stand for lies over the facet of a hit, on

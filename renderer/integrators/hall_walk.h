@@ -142,10 +142,8 @@ class HallWalk {
             return scratch_.interfaces.next(start, d, t_max, media, face, counters_.lost_bodies);
         }
         ++counters_.rays;
-        const auto hit = scene_.geometry().intersect_within({start.origin(d), d}, t_max);
-        if (!hit) return false;
-        face.hit = *hit;
-        face.entering = dot(hit->ng, d) < 0;
+        if (!scene_.geometry().nearest({start.origin(d), d}, t_max, face.hit)) return false;
+        face.entering = dot(face.hit.ng, d) < 0;
         return true;
     }
 

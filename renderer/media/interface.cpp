@@ -39,64 +39,89 @@ bool InterfaceFinder::next(const RayStart& start, Vec3 d, Real t_max, MediumStac
     RayStart from = start;
     Real way = 0;
     for (int i = 0; i < kMaxPlaces; ++i) {
-        if (!find_place(from, d, t_max - way, media)) return false;
-        const Hit first = place_.front();
-        way += first.t;
-        found.is_crowded = is_crowded_;
-        found.reach = is_crowded_ ? geometry_.reach(first) : 0;
-        const Hit* opaque = opaque_in_place(d);
-        const Hit* sheet = opaque == nullptr ? sheet_in_place() : nullptr;
-        if (const Hit* only = opaque != nullptr ? opaque : sheet) {
-            found.hit = *only;
-            found.place = Place(*only);
-            found.matter = opaque != nullptr ? Matter::Opaque : Matter::Sheet;
-            found.entering = is_entering(*only, d);
-            found.beyond = media;
+        found.is_crowded = false;
+        if (!find_place(from, d, t_max - way, media, found)) return false;
+        way += found.hit.t;
+        const bool is_interface = found.is_crowded ? resolve_place(d, media, found, lost)
+                                                   : resolve_alone(d, media, found, lost);
+        if (is_interface) {
             found.hit.t = way;
             return true;
         }
-        add_missing(d, media, lost);
-        if (find_boundary(d, media, found)) {
-            found.hit.t = way;
-            return true;
-        }
-        from =
-            Interface{first, Place(place_), geometry_.reach(first), Matter::Body, true, is_crowded_,
-                      {}}
-                .start(true);
+        from = found.start(true);
     }
     return false;
 }
 
-/// Puts into place_ what the ray meets first, t from its start. False: nothing.
+/// What to make of a hit that shares its place with nothing. False: nothing changes there; `media`
+/// are then those beyond.
+bool InterfaceFinder::resolve_alone(Vec3 d, MediumStack& media, Interface& found,
+                                    LostBodies& lost) {
+    found.place = Place(found.hit);
+    found.matter = bodies_.matter_of(found.hit.object);
+    found.entering = is_entering(found.hit, d);
+    if (found.matter != Matter::Body) {
+        found.beyond = media;
+        return true;
+    }
+    const BodyId body = bodies_.body_of(found.hit);
+    if (!found.entering && !media.holds(body)) add_missing(found.hit, media, lost);
+    found.beyond = media;
+    if (!found.entering) {
+        found.beyond.leave(body);
+    } else if (!found.beyond.enter(body)) {
+        ++overflows_;
+    }
+    if (media.current() != found.beyond.current()) return true;
+    media = found.beyond;
+    return false;
+}
+
+/// The same for all that lies in place_.
+bool InterfaceFinder::resolve_place(Vec3 d, MediumStack& media, Interface& found,
+                                    LostBodies& lost) {
+    const Hit* opaque = opaque_in_place(d);
+    const Hit* only = opaque != nullptr ? opaque : sheet_in_place();
+    if (only == nullptr) {
+        add_all_missing(d, media, lost);
+        return find_boundary(d, media, found);
+    }
+    found.hit = *only;
+    found.place = Place(*only);
+    found.matter = bodies_.matter_of(only->object);
+    found.entering = is_entering(*only, d);
+    found.beyond = media;
+    return true;
+}
+
+/// Finds what the ray meets first, t from its start: found.hit, and where that is crowded all of
+/// place_. False: nothing.
 bool InterfaceFinder::find_place(const RayStart& start, Vec3 d, Real t_max,
-                                 const MediumStack& media) {
+                                 const MediumStack& media, Interface& found) {
     Vec3 o = start.p;
     if (start.is_on_surface) {
         if (!start.is_crowded) {
             o = start.origin(d);
         } else {
-            if (find_nearby(start, d, t_max, media)) return true;
+            if (find_nearby(start, d, t_max, media, found)) return true;
             // What comes next is nowhere near: half of the way that has been looked through.
             o = start.p + reach_along(start.ng, d, start.reach) * d;
         }
     }
     const Real skipped = dot(o - start.p, d);
     ++queries_;
-    const auto hit = geometry_.intersect_within({o, d}, t_max - skipped);
-    if (!hit) return false;
-    place_.assign(1, *hit);
-    place_.front().t += skipped;
-    is_crowded_ = false;
-    if (!hit->is_alone && bodies_.is_near_others(*hit, 4 * geometry_.reach(*hit))) {
-        look_around(start, d, t_max, media);
-    }
+    if (!geometry_.nearest({o, d}, t_max - skipped, found.hit)) return false;
+    found.hit.t += skipped;
+    if (found.hit.is_alone) return true;
+    found.reach = geometry_.reach(found.hit);
+    if (bodies_.is_near_others(found.hit, 4 * found.reach))
+        look_around(start, d, t_max, media, found);
     return true;
 }
 
 /// Looks for what is within reach of the start.
 bool InterfaceFinder::find_nearby(const RayStart& start, Vec3 d, Real t_max,
-                                  const MediumStack& media) {
+                                  const MediumStack& media, Interface& found) {
     const Real reach = reach_along(start.ng, d, start.reach);
     ++queries_;
     geometry_.crossings({start.p, d}, -reach, 2 * reach, place_);
@@ -104,19 +129,17 @@ bool InterfaceFinder::find_nearby(const RayStart& start, Vec3 d, Real t_max,
         return hit.t >= t_max - resolution_along(hit, d) || is_left(start, d, media, hit);
     });
     if (place_.empty()) return false;
-    is_crowded_ = true;
-    keep_first_place(d);
+    keep_first_place(d, found);
     return true;
 }
 
-/// place_ holds what single precision took for the nearest; finds what really is, and what lies in
+/// found.hit is what single precision took for the nearest; finds what really is, and what lies in
 /// the same place.
 void InterfaceFinder::look_around(const RayStart& start, Vec3 d, Real t_max,
-                                  const MediumStack& media) {
-    const Hit nearest = place_.front();
-    const Real reach = reach_along(nearest.ng, d, geometry_.reach(nearest));
+                                  const MediumStack& media, Interface& found) {
+    const Real reach = reach_along(found.hit.ng, d, found.reach);
     ++queries_;
-    geometry_.crossings({start.p, d}, nearest.t - reach, nearest.t + reach, place_);
+    geometry_.crossings({start.p, d}, found.hit.t - reach, found.hit.t + reach, place_);
     // Near the start only what the ray has not left; without a start, only what is in front.
     const Real near =
         start.is_on_surface ? reach_along(start.ng, d, std::max(start.reach, start.error)) : 0;
@@ -124,12 +147,8 @@ void InterfaceFinder::look_around(const RayStart& start, Vec3 d, Real t_max,
         if (hit.t >= t_max - resolution_along(hit, d)) return true;
         return hit.t <= near && (!start.is_on_surface || is_left(start, d, media, hit));
     });
-    is_crowded_ = place_.size() > 1;
-    if (place_.empty()) {
-        place_.assign(1, nearest);
-    } else {
-        keep_first_place(d);
-    }
+    if (place_.size() > 1 || (!place_.empty() && place_.front().part != found.hit.part))
+        keep_first_place(d, found);
 }
 
 /// Whether a ray from `start` has left `hit` behind it, or is on its way off it.
@@ -153,7 +172,7 @@ bool InterfaceFinder::is_left(const RayStart& start, Vec3 d, const MediumStack& 
 }
 
 /// Drops from place_, which is in the order of t, what lies beyond the first place.
-void InterfaceFinder::keep_first_place(Vec3 d) {
+void InterfaceFinder::keep_first_place(Vec3 d, Interface& found) {
     Real end = place_.front().t + resolution_along(place_.front(), d);
     std::size_t kept = 1;
     for (; kept < place_.size(); ++kept) {
@@ -163,6 +182,9 @@ void InterfaceFinder::keep_first_place(Vec3 d) {
         end = std::max(end, hit.t);
     }
     place_.resize(kept);
+    found.hit = place_.front();
+    found.reach = geometry_.reach(found.hit);
+    found.is_crowded = true;
 }
 
 /// Whether number `index` of place_ comes out of a body that something before it goes into.
@@ -200,7 +222,12 @@ const Hit* InterfaceFinder::sheet_in_place() const {
 }
 
 /// A body that the ray comes out of without having gone into it was around it from its start on.
-void InterfaceFinder::add_missing(Vec3 d, MediumStack& media, LostBodies& lost) {
+void InterfaceFinder::add_missing(const Hit& hit, MediumStack& media, LostBodies& lost) {
+    ++lost[hit.object];
+    if (!media.enter(bodies_.body_of(hit))) ++overflows_;
+}
+
+void InterfaceFinder::add_all_missing(Vec3 d, MediumStack& media, LostBodies& lost) {
     for (const Hit& hit : place_) {
         const BodyId body = bodies_.body_of(hit);
         std::size_t out = 0, in = media.count(body);
@@ -208,10 +235,7 @@ void InterfaceFinder::add_missing(Vec3 d, MediumStack& media, LostBodies& lost) 
             if (bodies_.body_of(other) != body) continue;
             ++(is_entering(other, d) ? in : out);
         }
-        for (; in < out; ++in) {
-            ++lost[hit.object];
-            if (!media.enter(body)) ++overflows_;
-        }
+        for (; in < out; ++in) add_missing(hit, media, lost);
     }
 }
 
@@ -227,11 +251,12 @@ MediumStack InterfaceFinder::cross_place(Vec3 d, const MediumStack& media) {
     return beyond;
 }
 
-/// The interface between what is in front of the place and what is beyond; false when that is the
-/// same body. Then `media` are those beyond.
+/// The interface between the bodies in front of the place and those beyond; false when those that
+/// count are the same.
 bool InterfaceFinder::find_boundary(Vec3 d, MediumStack& media, Interface& found) {
     const MediumStack beyond = cross_place(d, media);
     const BodyId here = media.current(), there = beyond.current();
+    found.place = Place(place_);
     if (here == there) {
         media = beyond;
         return false;
@@ -241,7 +266,6 @@ bool InterfaceFinder::find_boundary(Vec3 d, MediumStack& media, Interface& found
         return bodies_.body_of(hit) == counts && is_entering(hit, d) == (counts == there);
     });
     found.hit = face != place_.end() ? *face : place_.front();
-    found.place = Place(place_);
     found.matter = Matter::Body;
     found.entering = is_entering(found.hit, d);
     found.beyond = beyond;

@@ -101,24 +101,29 @@ class InterfaceFinder {
     void reset_counts() { overflows_ = queries_ = 0; }
 
   private:
-    bool find_place(const RayStart& start, Vec3 d, Real t_max, const MediumStack& media);
-    bool find_nearby(const RayStart& start, Vec3 d, Real t_max, const MediumStack& media);
-    void look_around(const RayStart& start, Vec3 d, Real t_max, const MediumStack& media);
+    bool find_place(const RayStart& start, Vec3 d, Real t_max, const MediumStack& media,
+                    Interface& found);
+    bool find_nearby(const RayStart& start, Vec3 d, Real t_max, const MediumStack& media,
+                     Interface& found);
+    void look_around(const RayStart& start, Vec3 d, Real t_max, const MediumStack& media,
+                     Interface& found);
     [[nodiscard]] bool is_left(const RayStart& start, Vec3 d, const MediumStack& media,
                                const Hit& hit) const;
-    void keep_first_place(Vec3 d);
+    void keep_first_place(Vec3 d, Interface& found);
     [[nodiscard]] bool is_far_side(std::size_t index, Vec3 d) const;
 
+    bool resolve_alone(Vec3 d, MediumStack& media, Interface& found, LostBodies& lost);
+    bool resolve_place(Vec3 d, MediumStack& media, Interface& found, LostBodies& lost);
     [[nodiscard]] const Hit* opaque_in_place(Vec3 d) const;
     [[nodiscard]] const Hit* sheet_in_place() const;
-    void add_missing(Vec3 d, MediumStack& media, LostBodies& lost);
+    void add_missing(const Hit& hit, MediumStack& media, LostBodies& lost);
+    void add_all_missing(Vec3 d, MediumStack& media, LostBodies& lost);
     [[nodiscard]] MediumStack cross_place(Vec3 d, const MediumStack& media);
     bool find_boundary(Vec3 d, MediumStack& media, Interface& found);
 
     const Geometry& geometry_;
     const BodyTable& bodies_;
     std::vector<Hit> place_;  ///< what lies in one place, in front of the ray
-    bool is_crowded_ = false;
     std::uint64_t overflows_ = 0, queries_ = 0;
 };
 

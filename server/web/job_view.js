@@ -45,14 +45,19 @@ const healthRows = [
   ["rays cut by depth", (h) => h.rays_cut_by_depth],
   ["rays cut by threshold", (h) => h.rays_cut_by_threshold],
   ["shadow rays cut", (h) => h.shadow_rays_cut, true],
+  ["samples blackened by cuts", (h) => h.blackened_samples, true],
   ["unmatched exits", (h) => h.unmatched_exits, true],
   ["triangles dropped", (h) => h.dropped_triangles, true],
   ["pixels without a sample", (h) => h.unfinished_pass?.without_sample, true],
   ["total reflections", (h) => h.total_reflections],
 ];
 
+/** A row an object that rays lost track of. */
+const unmatchedRows = (health) =>
+  (health.unmatched_objects ?? []).map(({ object, count }) => [`unmatched: ${object}`, () => count, true]);
+
 function showHealth(health) {
-  element("health").replaceChildren(...healthRows.flatMap(([name, value, isBad]) => {
+  element("health").replaceChildren(...[...healthRows, ...unmatchedRows(health)].flatMap(([name, value, isBad]) => {
     const n = value(health) ?? 0;
     return [make("dt", name), make("dd", n.toLocaleString("en"), isBad && n > 0 ? "bad" : "")];
   }));

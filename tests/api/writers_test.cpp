@@ -104,7 +104,9 @@ renderer::Report sample_report() {
     report.error = {point(1, 3), point(4, 1.5), point(16, 0.75)};
     report.error[0].rmse.reset();
     report.error[0].relative_rmse.reset();
-    report.bias = {0.25, 0.5, 1e-4};
+    report.bias.depth_limit_throughput = 0.25;
+    report.bias.threshold_throughput = 0.5;
+    report.bias.wavelength_relative = 1e-4;
     report.bias.spectra.uplift.add("/scene/spectra/red", 0.5);
     report.bias.spectra.uplift.add("/scene/spectra/blue", 1.5);
     report.health.samples = 1000;

@@ -39,13 +39,9 @@ struct RecordedRay {
 class RecordingGeometry final : public Geometry {
   public:
     explicit RecordingGeometry(std::unique_ptr<const Geometry> inner) : inner_(std::move(inner)) {}
-    std::optional<Hit> intersect(const Ray& ray) const override {
-        if (record != nullptr) record->push_back({ray, kInfinity, false});
-        return inner_->intersect(ray);
-    }
-    std::optional<Hit> intersect_within(const Ray& ray, Real t_max) const override {
+    bool nearest(const Ray& ray, Real t_max, Hit& hit) const override {
         if (record != nullptr) record->push_back({ray, t_max, false});
-        return inner_->intersect_within(ray, t_max);
+        return inner_->nearest(ray, t_max, hit);
     }
     bool occluded(const Ray& ray, Real t_max) const override {
         if (record != nullptr) record->push_back({ray, t_max, true});
@@ -119,7 +115,8 @@ void ours(const Geometry& geometry, const RecordedRay& r) {
     if (r.is_shadow) {
         static_cast<void>(geometry.occluded(r.ray, r.t_max));
     } else {
-        static_cast<void>(geometry.intersect_within(r.ray, r.t_max));
+        Hit hit;
+        static_cast<void>(geometry.nearest(r.ray, r.t_max, hit));
     }
 }
 
