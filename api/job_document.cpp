@@ -14,6 +14,7 @@
 #include "api/json_text.h"
 #include "api/read_context.h"
 #include "api/scene_reader.h"
+#include "api/scene_warnings.h"
 #include "renderer/core/out_of_memory.h"
 
 namespace bouguer::api {
@@ -67,6 +68,8 @@ void read_job(const JsonValue& document, const ReadContext& context, JobRequest&
         job.scene = read_scene(*scene, context, job.notes);
     read_job_settings(reader, context.limits, job);
     reader.reject_unknown_keys();
+    if (document.problems().empty())
+        warn_of_exposure(job.scene, job.output, document.pointer() + "/scene", document.problems());
 }
 
 /// Reads a scene alone as a job with every default into `job`.
@@ -101,6 +104,7 @@ Result<JobRequest> read_request(std::string_view text, const Limits& limits,
     const auto name = is_scene ? &name_job_around : &name_job;
     name(document, job);
     job.files_digest = document_assets.digest();
+    job.warnings = problems.warnings();
     return job;
 }
 

@@ -11,6 +11,7 @@
 #include "api/limits.h"
 #include "renderer/core/byte_source.h"
 #include "renderer/core/result.h"
+#include "renderer/core/warning.h"
 #include "renderer/render.h"
 #include "renderer/settings.h"
 #include "renderer/spectrum/spectrum_notes.h"
@@ -37,6 +38,7 @@ struct JobRequest {
     renderer::StopRule stop;
     renderer::OutputSettings output;
     renderer::SpectrumNotes notes;  ///< `where` is a JSON pointer
+    Warnings warnings;              ///< what is valid and probably not meant
     int priority = 0;               ///< -100 .. 100; higher goes first
     std::map<std::string, std::string> labels;
     std::string scene_digest;  ///< "sha256-<hex>" of the scene's canonical form

@@ -48,6 +48,10 @@ void JsonValue::report(std::string_view code, std::string detail, std::string al
         {pointer_, std::string(code), std::move(detail), describe(json_), std::move(allowed)});
 }
 
+void JsonValue::warn(std::string_view code, std::string detail, std::string advice) const {
+    problems_->warn({pointer_, std::string(code), std::move(detail), std::move(advice)});
+}
+
 void JsonValue::report_type(std::string allowed) const {
     report("wrong-type", "the value must be " + allowed, allowed);
 }

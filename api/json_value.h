@@ -43,6 +43,8 @@ class JsonValue {
 
     /// Reports a problem of this value.
     void report(std::string_view code, std::string detail, std::string allowed = {}) const;
+    /// Warns of this value, which is valid: what is so, and what to do about it.
+    void warn(std::string_view code, std::string detail, std::string advice) const;
     /// The type is wrong; `allowed` is what was expected, e.g. "a number".
     void report_type(std::string allowed) const;
 

@@ -192,6 +192,13 @@ const std::vector<MaterialType>& material_types() {
     return types;
 }
 
+std::optional<int> read_priority(JsonReader& reader) {
+    constexpr int kHighest = 1000;
+    const auto at = reader.find("priority");
+    const auto priority = at ? at->integer(-kHighest, kHighest) : std::nullopt;
+    return priority ? std::optional(static_cast<int>(*priority)) : std::nullopt;
+}
+
 std::optional<renderer::MaterialDescription> read_material(const JsonValue& value,
                                                            const ColourReaders& colours) {
     JsonReader reader(value);
@@ -199,6 +206,7 @@ std::optional<renderer::MaterialDescription> read_material(const JsonValue& valu
     if (entry == nullptr) return std::nullopt;
     renderer::MaterialDescription material{{}, entry->read(reader, colours)};
     if (const auto at = reader.find("emission")) material.emission = colours.textures.emission(*at);
+    material.priority = read_priority(reader).value_or(0);
     reader.reject_unknown_keys();
     return material;
 }

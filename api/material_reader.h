@@ -23,6 +23,10 @@ struct ColourReaders {
 [[nodiscard]] std::optional<renderer::MaterialDescription> read_material(
     const JsonValue& value, const ColourReaders& colours);
 
+/// The member `priority` of a material or an object, in [-1000, 1000]: which of several bodies
+/// counts where they overlap. Empty when there is none.
+[[nodiscard]] std::optional<int> read_priority(JsonReader& reader);
+
 struct MaterialType {
     std::string_view name, description;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "api/json_reader.h"
+#include "api/material_reader.h"
 #include "api/nearest_name.h"
 #include "api/shape_reader.h"
 #include "api/transform_reader.h"
@@ -36,8 +37,13 @@ std::optional<std::size_t> read_material_name(const JsonValue& value, const Name
 /// Reads objects one after the other and counts what they have in common.
 class ObjectReader {
   public:
-    ObjectReader(const NameIndex& materials, const ReadContext& context, NameIndex& names)
-        : materials_(materials), context_(context), names_(names) {}
+    ObjectReader(const NameIndex& material_names,
+                 const std::vector<renderer::MaterialDescription>& materials,
+                 const ReadContext& context, NameIndex& names)
+        : material_names_(material_names),
+          materials_(materials),
+          context_(context),
+          names_(names) {}
 
     std::optional<ObjectDescription> read(const JsonValue& value, std::size_t index) {
         JsonReader reader(value);
@@ -47,12 +53,19 @@ class ObjectReader {
         auto shape = shape_at ? read_shape(*shape_at, context_) : std::nullopt;
         const auto material_at = reader.require("material");
         const auto material =
-            material_at ? read_material_name(*material_at, materials_) : std::nullopt;
+            material_at ? read_material_name(*material_at, material_names_) : std::nullopt;
         auto instances = read_instances(reader);
+        const auto priority = read_priority(reader);
         reader.reject_unknown_keys();
         if (!name || !shape || !material || !instances) return std::nullopt;
-        return ObjectDescription{
-            *std::move(name), {*std::move(shape), *std::move(instances)}, *material};
+        const std::size_t material_index = material.value();
+        // A material that is known by name only has problems of its own.
+        const int of_material =
+            material_index < materials_.size() ? materials_[material_index].priority : 0;
+        return ObjectDescription{*std::move(name),
+                                 {*std::move(shape), *std::move(instances)},
+                                 material_index,
+                                 priority.value_or(of_material)};
     }
 
   private:
@@ -91,7 +104,8 @@ class ObjectReader {
         return placed;
     }
 
-    const NameIndex& materials_;
+    const NameIndex& material_names_;
+    const std::vector<renderer::MaterialDescription>& materials_;
     const ReadContext& context_;
     NameIndex& names_;
     std::size_t num_instances_ = 0;
@@ -106,11 +120,13 @@ std::vector<std::string_view> words_of(const NameIndex& names) {
     return words;
 }
 
-std::vector<ObjectDescription> read_objects(const JsonValue& value, const NameIndex& materials,
-                                            const ReadContext& context, NameIndex& names) {
+std::vector<ObjectDescription> read_objects(
+    const JsonValue& value, const NameIndex& material_names,
+    const std::vector<renderer::MaterialDescription>& materials, const ReadContext& context,
+    NameIndex& names) {
     std::vector<ObjectDescription> objects;
     if (!value.is_array(0, context.limits.objects, "objects")) return objects;
-    ObjectReader reader(materials, context, names);
+    ObjectReader reader(material_names, materials, context, names);
     for (std::size_t i = 0; i < value.json().size(); ++i) {
         auto object = reader.read(value.element(i), i);
         if (object) objects.push_back(*std::move(object));

@@ -23,12 +23,12 @@ using NameIndex = std::map<std::string, std::size_t, std::less<>>;
 /// The keys of `names`, for suggestions; they live as long as it does.
 [[nodiscard]] std::vector<std::string_view> words_of(const NameIndex& names);
 
-/// Reads the array of objects at `value`. `names` gets every name, also of objects that have
-/// problems, so that references to them are not reported again. Objects with problems are left out
-/// of the result.
-[[nodiscard]] std::vector<renderer::ObjectDescription> read_objects(const JsonValue& value,
-                                                                    const NameIndex& materials,
-                                                                    const ReadContext& context,
-                                                                    NameIndex& names);
+/// Reads the array of objects at `value`; `material_names` are the indices of `materials`. `names`
+/// gets every name, also of objects that have problems, so that references to them are not reported
+/// again. Objects with problems are left out of the result.
+[[nodiscard]] std::vector<renderer::ObjectDescription> read_objects(
+    const JsonValue& value, const NameIndex& material_names,
+    const std::vector<renderer::MaterialDescription>& materials, const ReadContext& context,
+    NameIndex& names);
 
 }  // namespace bouguer::api

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/core/result.h"
+#include "renderer/core/warning.h"
 
 namespace bouguer::api {
 
@@ -22,6 +24,10 @@ class Problems {
     /// An error that is not the document's (disk, memory): the reading fails with it.
     void fail_with(Error error) { failure_ = std::move(error); }
 
+    /// Notes what is valid and probably not meant.
+    void warn(Warning warning) { warnings_.add(std::move(warning)); }
+    [[nodiscard]] const Warnings& warnings() const { return warnings_; }
+
     [[nodiscard]] bool empty() const { return count_ == 0 && !failure_; }
     /// Whether further problems will only be counted: then details need not be worked out.
     [[nodiscard]] bool is_full() const { return listed_.size() >= limit_; }
@@ -35,6 +41,7 @@ class Problems {
     std::size_t count_ = 0;
     std::vector<Problem> listed_;
     std::optional<Error> failure_;
+    Warnings warnings_;
 };
 
 /// `key` as a token of a JSON pointer: "~" and "/" escaped [RFC 6901 §3].

@@ -72,6 +72,20 @@ OrderedJson error_object(const Report& report) {
             {"stopped_by", report.stopped_by}};
 }
 
+OrderedJson warning_array(const Warnings& warnings) {
+    OrderedJson array = OrderedJson::array();
+    const auto add = [&](const Warning& w) {
+        array.push_back(
+            {{"pointer", w.pointer}, {"code", w.code}, {"detail", w.detail}, {"advice", w.advice}});
+    };
+    for (const Warning& warning : warnings.listed()) add(warning);
+    if (const std::size_t more = warnings.count() - warnings.listed().size(); more > 0) {
+        add({"", "more-warnings", std::to_string(more) + " more warnings are not listed",
+             "mend those that are listed first"});
+    }
+    return array;
+}
+
 OrderedJson unfinished_pass_object(const std::optional<renderer::UnfinishedPass>& pass) {
     if (!pass) return nullptr;
     return {{"pixels", pass->pixels}, {"without_sample", pass->without_sample}};
@@ -202,6 +216,7 @@ std::string report_json(const Report& report, const renderer::OutputSettings& ou
                               {"scene_digest", digest_or_null(scene_digest)},
                               {"error", error_object(report)},
                               {"health", health_object(report.health)},
+                              {"warnings", warning_array(report.warnings)},
                               {"plan", plan_object(report.plan)},
                               {"timings",
                                {{"scene_s", report.timings.scene_s},
@@ -211,6 +226,8 @@ std::string report_json(const Report& report, const renderer::OutputSettings& ou
                               {"versions", versions}};
     return text_of(json);
 }
+
+std::string warnings_json(const Warnings& warnings) { return text_of(warning_array(warnings)); }
 
 std::string comparison_json(const renderer::PictureDifference& difference,
                             const renderer::OutputSettings& output, std::string_view a,

@@ -12,6 +12,7 @@
 #include "api/material_reader.h"
 #include "api/nearest_name.h"
 #include "api/object_reader.h"
+#include "api/scene_warnings.h"
 #include "api/spectrum_reader.h"
 #include "api/texture_reader.h"
 
@@ -110,7 +111,7 @@ renderer::SceneDescription read_scene(const JsonValue& value, const ReadContext&
         read_materials(reader.find("materials"), {spectra, textures}, limits, material_names);
     NameIndex object_names;
     if (const auto at = reader.require("objects")) {
-        scene.objects = read_objects(*at, material_names, context, object_names);
+        scene.objects = read_objects(*at, material_names, scene.materials, context, object_names);
     }
     scene.lights = read_lights(reader.find("lights"), spectra, limits);
     if (const auto at = reader.find("environment")) {
@@ -123,6 +124,7 @@ renderer::SceneDescription read_scene(const JsonValue& value, const ReadContext&
     spectra.read_all();
     notes = spectra.notes();
     reader.reject_unknown_keys();
+    if (value.problems().empty()) warn_of_scene(scene, value.pointer(), value.problems());
     return scene;
 }
 

@@ -143,6 +143,10 @@ std::optional<renderer::ComplexIndex> SpectrumReader::metal(const JsonValue& val
 
 void SpectrumReader::read_all() {
     for (auto& [name, definition] : definitions_) {
+        if (definition.state == Definition::State::Unread) {
+            definition.value.warn("unused-spectrum", "nothing refers to this spectrum",
+                                  "remove it, or use its name");
+        }
         static_cast<void>(defined(definition.value, definition));
     }
 }

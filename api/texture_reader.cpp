@@ -93,7 +93,13 @@ const std::optional<ReadTexture>& TextureReader::read(Definition& definition) {
 }
 
 void TextureReader::read_all() {
-    for (auto& [name, definition] : definitions_) static_cast<void>(read(definition));
+    for (auto& [name, definition] : definitions_) {
+        if (!definition.is_read) {
+            definition.value.warn("unused-texture", "no material has this texture",
+                                  "remove it, or give it to a material");
+        }
+        static_cast<void>(read(definition));
+    }
 }
 
 }  // namespace bouguer::api

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "renderer/core/result.h"
+#include "renderer/core/warning.h"
 #include "renderer/film/picture_difference.h"
 #include "renderer/report.h"
 #include "renderer/settings.h"
@@ -28,6 +29,9 @@ namespace bouguer::api {
 [[nodiscard]] std::string plan_json(const renderer::Plan& plan);
 /// "uplift" and "outside_range": of each the number, the largest value and the worst, by pointer.
 [[nodiscard]] std::string notes_json(const renderer::SpectrumNotes& notes);
+/// An array of pointer, code, detail and advice; of those that are not listed the number, as the
+/// last.
+[[nodiscard]] std::string warnings_json(const Warnings& warnings);
 [[nodiscard]] std::string health_json(const renderer::Health& health);
 /// The error curve with its bias parts and the fitted slope of log rmse against log samples (null
 /// below three points).

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/core/warning.h"
 #include "renderer/spectrum/spectrum_notes.h"
 
 namespace bouguer::renderer {
@@ -119,10 +120,16 @@ struct Report {
     Bias bias;
     Health health;
     Plan plan;
+    Warnings warnings;  ///< of the document, which the renderer leaves to its reader, and of the
+                        ///< picture
     Timings timings;
     std::string stopped_by;  ///< "samples", "seconds", "error", "cancel", "server-limit"; empty
                              ///< while it runs
     ImageInfo image;         ///< of the newest PNG
 };
+
+/// What the picture itself gives cause to warn of: light that was cut, pixels that cuts blackened,
+/// bodies that rays lost track of.
+[[nodiscard]] Warnings warnings_of(const Report& report);
 
 }  // namespace bouguer::renderer

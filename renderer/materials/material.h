@@ -24,6 +24,7 @@ struct MaterialDescription {
     MaterialModel model;
     /// What the surface gives out by itself, on both sides, W m^-2 sr^-1 nm^-1; null: nothing.
     SurfaceSpectrum emission = {};
+    int priority = 0;  ///< of objects that give none (see ObjectDescription)
 };
 
 [[nodiscard]] inline MaterialNeeds needs_of(const MaterialDescription& material) {

@@ -41,6 +41,16 @@ class GaussianSpectrum final : public Spectrum {
         return peak_ * tent_mean_of(f, lambda_nm, step_nm);
     }
 
+    /// At so many widths from the middle, pieces short enough for a bell.
+    void add_breaks(double low_nm, double high_nm, double step_nm,
+                    std::vector<double>& breaks_nm) const override {
+        if (sigma_nm_ >= step_nm) return;
+        for (const double z : {0.0, 0.75, 1.5, 2.25, 3.0, 4.0, 5.0, 6.5, 8.5}) {
+            for (const double nm : {center_nm_ - z * sigma_nm_, center_nm_ + z * sigma_nm_})
+                if (nm > low_nm && nm < high_nm) breaks_nm.push_back(nm);
+        }
+    }
+
   private:
     double center_nm_, sigma_nm_, peak_;
 };
@@ -63,6 +73,12 @@ class LineSpectrum final : public Spectrum {
             return d >= half ? d : (d + half) * (d + half) / (2 * width_nm_);
         };
         return integral_ * tent_mean_of(f, lambda_nm, step_nm);
+    }
+
+    void add_breaks(double low_nm, double high_nm, double /*step_nm*/,
+                    std::vector<double>& breaks_nm) const override {
+        for (const double nm : {line_nm_ - width_nm_ / 2, line_nm_ + width_nm_ / 2})
+            if (nm > low_nm && nm < high_nm) breaks_nm.push_back(nm);
     }
 
   private:

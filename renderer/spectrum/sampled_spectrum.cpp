@@ -110,6 +110,13 @@ double SampledSpectrum::tent_mean(double lambda_nm, double step_nm) const {
     return std::max(integral, 0.0);
 }
 
+void SampledSpectrum::add_breaks(double low_nm, double high_nm, double step_nm,
+                                 std::vector<double>& breaks_nm) const {
+    if (is_constant_ || spacing_nm_ > step_nm * (1 - 1e-9)) return;
+    auto next = std::upper_bound(wavelengths_nm_.begin(), wavelengths_nm_.end(), low_nm);
+    for (; next != wavelengths_nm_.end() && *next < high_nm; ++next) breaks_nm.push_back(*next);
+}
+
 Result<SpectrumPtr> sampled_spectrum(std::vector<double> wavelengths_nm,
                                      std::vector<double> values) {
     std::vector<Problem> problems;

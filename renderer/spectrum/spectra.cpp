@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/spectrum/spectra.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "renderer/spectrum/colour.h"
 
@@ -26,6 +30,10 @@ class ScaledSpectrum final : public Spectrum {
     [[nodiscard]] double tent_mean(double lambda_nm, double step_nm) const override {
         return factor_ * base_->tent_mean(lambda_nm, step_nm);
     }
+    void add_breaks(double low_nm, double high_nm, double step_nm,
+                    std::vector<double>& breaks_nm) const override {
+        base_->add_breaks(low_nm, high_nm, step_nm, breaks_nm);
+    }
     [[nodiscard]] bool is_constant() const override { return base_->is_constant(); }
     [[nodiscard]] Multiple as_multiple() const override {
         const Multiple inner = base_->as_multiple();
@@ -40,6 +48,20 @@ class ScaledSpectrum final : public Spectrum {
     double factor_;
 };
 
+/// The integral of a function that is smooth from `from` to `to` [Abramowitz and Stegun 1964,
+/// table 25.4: Gauss's rule of five points, exact for polynomials of degree 9].
+template <class Function>
+double integrate_smooth(Function f, double from, double to) {
+    constexpr std::array<double, 3> kAt{0, 0.538469310105683, 0.906179845938664};
+    constexpr std::array<double, 3> kWeight{0.568888888888889, 0.478628670499366,
+                                            0.236926885056189};
+    const double middle = (from + to) / 2, half = (to - from) / 2;
+    double sum = kWeight[0] * f(middle);
+    for (std::size_t i = 1; i < kAt.size(); ++i)
+        sum += kWeight[i] * (f(middle - half * kAt[i]) + f(middle + half * kAt[i]));
+    return half * sum;
+}
+
 class ProductSpectrum final : public Spectrum {
   public:
     ProductSpectrum(SpectrumPtr a, SpectrumPtr b) : a_(std::move(a)), b_(std::move(b)) {}
@@ -47,9 +69,30 @@ class ProductSpectrum final : public Spectrum {
     [[nodiscard]] double at(double lambda_nm) const override {
         return a_->at(lambda_nm) * b_->at(lambda_nm);
     }
-    /// The product of the means: right when one of the two is smooth over a step.
+
+    /// The mean of the product, which is not the product of the means where factors are narrow: two
+    /// lines beside each other in one step have none in common.
     [[nodiscard]] double tent_mean(double lambda_nm, double step_nm) const override {
-        return a_->tent_mean(lambda_nm, step_nm) * b_->tent_mean(lambda_nm, step_nm);
+        std::vector<double> breaks;
+        add_breaks(lambda_nm - step_nm, lambda_nm + step_nm, step_nm, breaks);
+        if (breaks.empty()) return at(lambda_nm);
+        breaks.push_back(lambda_nm);
+        breaks.push_back(lambda_nm + step_nm);
+        std::sort(breaks.begin(), breaks.end());
+        const auto weighted = [&](double nm) {
+            return at(nm) * (1 - std::abs(nm - lambda_nm) / step_nm) / step_nm;
+        };
+        double mean = 0, from = lambda_nm - step_nm;
+        for (const double to : breaks) {
+            if (to > from) mean += integrate_smooth(weighted, from, to);
+            from = to;
+        }
+        return mean;
+    }
+    void add_breaks(double low_nm, double high_nm, double step_nm,
+                    std::vector<double>& breaks_nm) const override {
+        a_->add_breaks(low_nm, high_nm, step_nm, breaks_nm);
+        b_->add_breaks(low_nm, high_nm, step_nm, breaks_nm);
     }
 
   private:

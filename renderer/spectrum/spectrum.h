@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 namespace bouguer::renderer {
 
@@ -26,6 +27,12 @@ class Spectrum {
     [[nodiscard]] virtual double tent_mean(double lambda_nm, double /*step_nm*/) const {
         return at(lambda_nm);
     }
+
+    /// Adds the wavelengths inside (low_nm, high_nm) between which the spectrum is smooth, if it is
+    /// narrower than `step_nm` anywhere there: tent_mean() of a product takes them for the ends of
+    /// its pieces. None by default.
+    virtual void add_breaks(double /*low_nm*/, double /*high_nm*/, double /*step_nm*/,
+                            std::vector<double>& /*breaks_nm*/) const {}
 
     /// Whether at() is the same for every wavelength: then one number stands for the spectrum.
     [[nodiscard]] virtual bool is_constant() const { return false; }

@@ -140,6 +140,15 @@ std::string option_of(std::string_view parameter) {
     return option;
 }
 
+void print_warnings(std::ostream& out, const Warnings& warnings) {
+    for (const Warning& w : warnings.listed()) {
+        out << "warning: " << (w.pointer.empty() ? "" : w.pointer + ": ") << w.detail << "; "
+            << w.advice << " [" << w.code << "]\n";
+    }
+    if (const std::size_t more = warnings.count() - warnings.listed().size(); more > 0)
+        out << "warning: " << more << " more are not listed [more-warnings]\n";
+}
+
 int print_error(std::ostream& out, const Error& error) {
     out << "bouguer: " << error.message << "\n";
     for (const Problem& problem : error.problems) {

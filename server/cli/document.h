@@ -27,6 +27,9 @@ namespace bouguer::server {
 /// "--color-space" for "color_space".
 [[nodiscard]] std::string option_of(std::string_view parameter);
 
+/// Writes every warning, a line each: "warning: pointer: detail; advice [code]".
+void print_warnings(std::ostream& out, const Warnings& warnings);
+
 /// Writes the message and every problem, a line each: "pointer: detail (found X, allowed Y)".
 /// Returns the program's exit code for it.
 int print_error(std::ostream& out, const Error& error);

@@ -37,6 +37,7 @@ int run_plan(const PlanOptions& options) {
     }
     const auto scene = renderer::build_scene(job->scene);
     if (!scene) return print_error(std::cerr, scene.error());
+    print_warnings(std::cerr, job->warnings);
     const renderer::Plan plan = renderer::make_plan(**scene, job->settings);
     if (options.json) {
         std::cout << api::plan_json(plan) << "\n";

@@ -101,6 +101,7 @@ int finish(const RenderOptions& options, const RenderOutcome& outcome) {
         return kExitFailed;
     }
     print_summary(outcome.progress);
+    print_warnings(std::cerr, outcome.warnings);
     if (const auto& pass = outcome.unfinished_pass) {
         std::cerr << "bouguer: the time was over in the first pass; " << pass->without_sample
                   << " of " << pass->pixels << " pixels have no sample and are black\n";

@@ -36,6 +36,7 @@ int run_validate(const ValidateOptions& options) {
               << " objects, " << job->scene.materials.size() << " materials, "
               << job->scene.lights.size() << " lights; scene " << job->scene_digest << "\n";
     print_notes(std::cout, job->notes);
+    print_warnings(std::cerr, job->warnings);
     return kExitOk;
 }
 

@@ -3,6 +3,7 @@
 #include "server/jobs/job_json.h"
 
 #include "api/json_builder.h"
+#include "api/writers.h"
 #include "server/jobs/job_service.h"
 #include "server/utc_time.h"
 
@@ -54,7 +55,9 @@ std::string progress_event_json(const JobId& id, const JobProgress& progress) {
     return api::JsonObject().set("id", id).set_json("progress", progress_json(progress)).text();
 }
 
-std::string job_json(const JobView& view) {
+namespace {
+
+api::JsonObject job_object(const JobView& view) {
     const Job& job = view.job;
     api::JsonObject json;
     json.set("id", job.id)
@@ -75,7 +78,15 @@ std::string job_json(const JobView& view) {
         json.set("failure", job.failure);
         json.set("failure_code", job.failure_code.empty() ? "render-failed" : job.failure_code);
     }
-    return json.text();
+    return json;
+}
+
+}  // namespace
+
+std::string job_json(const JobView& view) { return job_object(view).text(); }
+
+std::string submitted_job_json(const SubmitResult& result) {
+    return job_object(result.view).set_json("warnings", api::warnings_json(result.warnings)).text();
 }
 
 std::string job_page_json(const JobPage& page) {

@@ -225,12 +225,13 @@ Result<SubmitResult> JobManager::submit(const std::string& body,
         return tl::unexpected(fits.error());
     }
     const std::uint64_t scene_bytes = scene_memory_bytes(request->scene);
+    Warnings warnings = request->warnings;
     accepted_.keep(job.id, *std::move(request), scene_bytes);  // before a worker can ask for it
     bool replayed = false;
     auto stored = admit(job, key, replayed);
     if (!stored || replayed) accepted_.drop(job.id);
     if (!stored) return tl::unexpected(stored.error());
-    return SubmitResult{view_of(std::move(*stored)), replayed};
+    return SubmitResult{view_of(std::move(*stored)), replayed, std::move(warnings)};
 }
 
 Result<Job> JobManager::admit(const Job& job, const IdempotencyKey& key, bool& replayed) {
@@ -564,6 +565,7 @@ Result<std::string> JobManager::validate(const std::string& body) const {
         .set("scene_digest", request->scene_digest)
         .set("memory_bytes_estimate", memory)
         .set_json("notes", api::notes_json(request->notes))
+        .set_json("warnings", api::warnings_json(request->warnings))
         .set_json("plan", api::plan_json(renderer::make_plan(**scene, request->settings)))
         .text();
 }

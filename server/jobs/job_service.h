@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/core/result.h"
+#include "renderer/core/warning.h"
 #include "server/content.h"
 #include "server/jobs/job.h"
 
@@ -62,6 +63,7 @@ struct Readiness {
 struct SubmitResult {
     JobView view;
     bool replayed = false;  ///< the Idempotency-Key was seen before: nothing new was made
+    Warnings warnings{};    ///< of the document; none are told of a replay
 };
 
 /// Thread-safe. Errors: NotFound (no such job), Conflict, Busy (queue full), InvalidInput ...
@@ -107,6 +109,8 @@ class JobService {
 
 /// The JSON of a view, as in GET /v1/jobs/{id}. Progress events carry its "progress" member.
 [[nodiscard]] std::string job_json(const JobView& view);
+/// The same with "warnings": the answer to a submission.
+[[nodiscard]] std::string submitted_job_json(const SubmitResult& result);
 [[nodiscard]] std::string job_page_json(const JobPage& page);
 
 }  // namespace bouguer::server

@@ -13,8 +13,8 @@ Result<PreparedRender> prepare_render(const api::JobRequest& job, SceneCache& sc
     auto render = renderer::Render::create(*scene, job.settings, job.stop);
     if (!render) return tl::unexpected(render.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-    return PreparedRender{
-        std::move(*render), job.output, {job.digest, job.scene_digest}, spent.count(), job.notes};
+    return PreparedRender{std::move(*render), job.output, {job.digest, job.scene_digest},
+                          spent.count(),      job.notes,  job.warnings};
 }
 
 }  // namespace bouguer::server

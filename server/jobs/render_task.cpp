@@ -169,6 +169,8 @@ std::shared_ptr<const RenderTask::Shown> RenderTask::look() const {
     shown->report.timings.scene_s = prepared_.scene_seconds;
     shown->report.timings.render_s = seconds();
     shown->report.bias.spectra = prepared_.notes;
+    shown->report.warnings = prepared_.warnings;
+    shown->report.warnings.add(renderer::warnings_of(shown->report));
     return shown;
 }
 
@@ -289,6 +291,7 @@ RenderOutcome RenderTask::outcome_of_render() {
     renderer::Report report = shown->report;
     if (!is_complete) report.stopped_by = "cancel";
     result.unfinished_pass = report.health.unfinished_pass;
+    result.warnings = report.warnings;
     auto files = result_files(shown->picture.get(), report, shown->output, shown->digests);
     if (files) {
         result.files = std::move(*files);

@@ -26,6 +26,7 @@ struct PreparedRender {
     JobDigests digests;
     double scene_seconds = 0;  ///< that it took to build the scene
     renderer::SpectrumNotes notes{};
+    Warnings warnings{};  ///< of the document
 };
 
 /// What became of a job.
@@ -34,6 +35,7 @@ struct RenderOutcome {
     std::string failure;                ///< of a failed one: why, fit for a client
     JobProgress progress;
     ResultFiles files;           ///< of a cancelled one: of its newest pass, or none
+    Warnings warnings{};         ///< of document and picture
     std::string failure_code{};  ///< `failure` as a stable name; may be empty
     std::optional<renderer::UnfinishedPass> unfinished_pass{};  ///< that the picture is of
 };

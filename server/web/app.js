@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The daemon's page: submit a scene, follow its events, look at what comes.
 import { ask, askText, follow, post } from "/daemon.js";
-import { clearJob, element, make, percent, showLinks, showPicture, showProgress, showReport } from "/job_view.js";
+import { clearJob, element, make, percent, showLinks, showPicture, showProgress, showReport, showReportedWarnings, showWarnings } from "/job_view.js";
 import { offerLook, withdrawLook } from "/look.js";
 
 let stopFollowing = () => {};
@@ -43,6 +43,7 @@ async function showEnd(job, view) {
     showLinks(job);
   }
   await showReport(job);
+  await showReportedWarnings(job);
   await showJobs();
 }
 
@@ -114,6 +115,7 @@ async function showExample() {
 async function attempt(action) {
   const buttons = [element("submit"), element("validate")];
   element("problems").replaceChildren();
+  showWarnings([]);
   for (const button of buttons) button.disabled = true;
   try {
     await action();
@@ -128,12 +130,14 @@ element("form").addEventListener("submit", (event) => {
   attempt(async () => {
     const view = await post("/v1/jobs", jobText(), say);
     watch(view.id, view.name);
+    showWarnings(view.warnings);
     await showJobs();
   });
 });
 element("validate").addEventListener("click", () => attempt(async () => {
   const answer = await post("/v1/scenes/validate", jobText(), say);
   const kernel = answer.plan ? ` It would run ${answer.plan.kernel}.` : "";
+  showWarnings(answer.warnings);
   element("problems").replaceChildren(make("li", `The document is accepted.${kernel}`, "good"));
 }));
 element("file").addEventListener("change", async (event) => {

@@ -52,6 +52,18 @@ const healthRows = [
   ["total reflections", (h) => h.total_reflections],
 ];
 
+/** What is valid and probably not meant: one line a warning, each with its JSON pointer. */
+export function showWarnings(warnings) {
+  element("warnings").replaceChildren(...(warnings ?? []).map(({ pointer, code, detail, advice }) => {
+    const item = make("li", "");
+    const link = make("a", code);
+    link.href = `/docs/warnings#${code}`;
+    if (pointer) item.append(make("code", pointer), " ");
+    item.append(`${detail}; ${advice} (`, link, ")");
+    return item;
+  }));
+}
+
 /** A row an object that rays lost track of. */
 const unmatchedRows = (health) =>
   (health.unmatched_objects ?? []).map(({ object, count }) => [`unmatched: ${object}`, () => count, true]);
@@ -79,6 +91,12 @@ export async function showReport(job) {
   if (error) drawErrorPlot(element("plot"), error.points);
   if (health) showHealth(health);
   if (plan) showPlan(plan);
+}
+
+/** Of document and picture, once there is a report. */
+export async function showReportedWarnings(job) {
+  const report = await optional(`${job}/report`);
+  if (report) showWarnings(report.warnings);
 }
 
 export function showLinks(job) {

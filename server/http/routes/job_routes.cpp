@@ -52,7 +52,7 @@ void submit(JobService& jobs, const Request& request, Response& response, Exchan
     response.set_header("Location", "/v1/jobs/" + result->view.job.id);
     response.set_header("Retry-After", std::to_string(jobs.retry_after_s()));
     if (result->replayed) response.set_header("Idempotent-Replayed", "true");
-    set_json(response, 202, job_json(result->view));
+    set_json(response, 202, submitted_job_json(*result));
 }
 
 /// What GET /v1/jobs?limit=&cursor=&state= asks for.

@@ -103,5 +103,40 @@ TEST(NarrowSpectra, RefuseWhatHasNoWidth) {
     EXPECT_EQ(line_spectrum(0, 1, HUGE_VAL).error().problems.at(1).code, "not-finite");
 }
 
+// The mean of a product is not the product of the means: a line of 1 nm and integral 2 inside a
+// band of 3 nm and height 1 loses nothing, whatever the step; beside the band nothing is left.
+TEST(ProductSpectrum, HasTheMeanOfTheProduct) {
+    const auto line = *line_spectrum(550.3, 1, 2);
+    const auto sum_at = [](const SpectrumPtr& s, double step) {
+        double sum = 0;
+        for (double nm = 400; nm < 700; nm += step) sum += step * s->tent_mean(nm, step);
+        return sum;
+    };
+    for (const double step : {1.0, 5.0, 80.0}) {
+        const auto through = product_spectrum(line, *line_spectrum(550.5, 3, 3));
+        EXPECT_NEAR(sum_at(through, step), 2, 1e-9) << step;
+        const auto half = product_spectrum(*line_spectrum(550.8, 1, 1), line);
+        EXPECT_NEAR(sum_at(half, step), 1, 1e-9) << "half of the line is in the band, " << step;
+        const auto beside = product_spectrum(line, *line_spectrum(552.5, 3, 3));
+        EXPECT_NEAR(sum_at(beside, step), 0, 1e-12) << step;
+    }
+}
+
+// Two bells of 0.02 nm about one wavelength: the integral of their product is
+// peak_a peak_b sigma sqrt(pi). A needle of a table of 1e-3 nm in a bell of 10 nm keeps its area.
+TEST(ProductSpectrum, OfNeedlesIsExact) {
+    const double fwhm = 0.02, sigma = fwhm / std::sqrt(8 * std::log(2.0));
+    const auto bell = *gaussian_spectrum(589.3, fwhm, 3);
+    const auto both = product_spectrum(bell, *gaussian_spectrum(589.3, fwhm, 5));
+    double sum = 0;
+    for (double nm = 400; nm < 800; nm += 5) sum += 5 * both->tent_mean(nm, 5);
+    EXPECT_NEAR(sum, 15 * sigma * std::sqrt(kPi), 1e-6 * sum);
+    const auto needle = *sampled_spectrum({500, 599.9995, 600, 600.0005, 700}, {0, 0, 1e3, 0, 0});
+    const auto seen = product_spectrum(needle, *gaussian_spectrum(600, 10, 0.5));
+    sum = 0;
+    for (double nm = 400; nm < 800; nm += 5) sum += 5 * seen->tent_mean(nm, 5);
+    EXPECT_NEAR(sum, 0.5 * 1e3 * 0.0005, 1e-6);
+}
+
 }  // namespace
 }  // namespace bouguer::renderer
