@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "api/object_reader.h"
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "api/nearest_name.h"
 #include "api/shape_reader.h"
 #include "api/transform_reader.h"
+#include "renderer/materials/material_textures.h"
 
 namespace bouguer::api {
 namespace {
@@ -16,22 +18,25 @@ namespace {
 using renderer::ObjectDescription;
 using renderer::Transform;
 
-std::optional<std::size_t> read_material_name(const JsonValue& value, const NameIndex& materials) {
+constexpr std::size_t kNoMaterial = SIZE_MAX;
+
+/// kNoMaterial after a report.
+std::size_t read_material_name(const JsonValue& value, const NameIndex& materials) {
     if (!value.json().is_string()) {
         value.report_type("the name of a material");
-        return std::nullopt;
+        return kNoMaterial;
     }
     const std::string_view name = value.json().text();
     if (const auto it = materials.find(name); it != materials.end()) return it->second;
     if (value.problems().is_full()) {
         value.report("unknown-name", {});
-        return std::nullopt;
+        return kNoMaterial;
     }
     const auto words = words_of(materials);
     value.report(
         "unknown-name", "there is no material of this name." + did_you_mean(name, words),
         words.empty() ? "none: the scene has no materials" : "one of " + quoted_list(words));
-    return std::nullopt;
+    return kNoMaterial;
 }
 
 /// Reads objects one after the other and counts what they have in common.
@@ -52,19 +57,18 @@ class ObjectReader {
         const auto shape_at = reader.require("shape");
         auto shape = shape_at ? read_shape(*shape_at, context_) : std::nullopt;
         const auto material_at = reader.require("material");
-        const auto material =
-            material_at ? read_material_name(*material_at, material_names_) : std::nullopt;
+        const std::size_t material =
+            material_at ? read_material_name(*material_at, material_names_) : kNoMaterial;
         auto instances = read_instances(reader);
         const auto priority = read_priority(reader);
+        if (shape) check_coordinates(reader, *shape, material);
         reader.reject_unknown_keys();
-        if (!name || !shape || !material || !instances) return std::nullopt;
-        const std::size_t material_index = material.value();
+        if (!name || !shape || material == kNoMaterial || !instances) return std::nullopt;
         // A material that is known by name only has problems of its own.
-        const int of_material =
-            material_index < materials_.size() ? materials_[material_index].priority : 0;
+        const int of_material = material < materials_.size() ? materials_[material].priority : 0;
         return ObjectDescription{*std::move(name),
                                  {*std::move(shape), *std::move(instances)},
-                                 material_index,
+                                 material,
                                  priority.value_or(of_material)};
     }
 
@@ -77,6 +81,25 @@ class ObjectReader {
         reader.find("name")->report("not-unique", "another object has this name",
                                     "a name that no other object has");
         return std::nullopt;
+    }
+
+    /// A texture needs coordinates to lie on; meshes need not have them.
+    void check_coordinates(JsonReader& reader, const renderer::Shape& shape, std::size_t material) {
+        const auto* mesh = std::get_if<std::shared_ptr<const renderer::TriangleMesh>>(&shape);
+        if (mesh == nullptr || material >= materials_.size()) return;
+        if (renderer::textures_of(materials_[material]).empty()) return;
+        if ((*mesh)->uvs.empty()) {
+            reader.find("material")
+                ->report("mesh-without-uvs",
+                         "this material has a texture, and the mesh no coordinates to lay it on",
+                         "a material without textures, or a mesh with texture coordinates");
+        } else if (const auto missing = (*mesh)->notes.triangles_without_uvs; missing > 0) {
+            reader.find("material")
+                ->warn("uvs-missing",
+                       "this material has a texture, and " + std::to_string(missing) +
+                           " triangles of the mesh have no texture coordinates",
+                       "give coordinates to every face");
+        }
     }
 
     /// World transforms: instance * transform for every instance, or the transform alone.

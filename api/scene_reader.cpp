@@ -15,6 +15,7 @@
 #include "api/scene_warnings.h"
 #include "api/spectrum_reader.h"
 #include "api/texture_reader.h"
+#include "renderer/scene/mend_meshes.h"
 
 namespace bouguer::api {
 namespace {
@@ -124,6 +125,7 @@ renderer::SceneDescription read_scene(const JsonValue& value, const ReadContext&
     spectra.read_all();
     notes = spectra.notes();
     reader.reject_unknown_keys();
+    if (value.problems().empty()) renderer::mend_meshes(scene);
     if (value.problems().empty()) warn_of_scene(scene, value.pointer(), value.problems());
     return scene;
 }

@@ -116,6 +116,14 @@ bool contains(const renderer::AnalyticShape& shape, const Bounds& box) {
     return true;
 }
 
+using MeshPtr = std::shared_ptr<const renderer::TriangleMesh>;
+
+std::string list_of(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
 /// Warns of one scene.
 class SceneCheck {
   public:
@@ -147,6 +155,10 @@ class SceneCheck {
         for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
             const ObjectDescription& object = scene_.objects[i];
             const MaterialDescription& material = scene_.materials[object.material];
+            if (const auto* mesh = std::get_if<MeshPtr>(&object.placed.shape)) {
+                warn_of_file(i, (*mesh)->notes);
+                if (transmits(material)) warn_of_topology(i, *(*mesh)->topology);
+            }
             if (!transmits(material)) {
                 if (object.priority != 0) {
                     problems_.warn({at(i), "priority-without-effect",
@@ -181,6 +193,49 @@ class SceneCheck {
   private:
     [[nodiscard]] std::string at(std::size_t object) const {
         return pointer_ + "/objects/" + std::to_string(object);
+    }
+
+    void warn(std::size_t i, const char* code, const std::string& detail, const char* advice) {
+        problems_.warn({at(i) + "/shape", code, detail, advice});
+    }
+
+    void warn_of_file(std::size_t i, const renderer::MeshNotes& notes) {
+        if (!notes.materials.empty()) {
+            warn(i, "mesh-materials-dropped",
+                 "the materials that the file names are not read: " + list_of(notes.materials),
+                 "give each part an object and a material of its own");
+        }
+        if (!notes.dropped.empty()) {
+            warn(i, "mesh-parts-dropped",
+                 "the file has more than is read: " + list_of(notes.dropped),
+                 "see that the surface does not need them");
+        }
+        if (notes.crossed_polygons > 0) {
+            warn(i, "mesh-crossed-polygons",
+                 std::to_string(notes.crossed_polygons) + " polygons have borders that cross",
+                 "cut them into triangles before");
+        }
+    }
+
+    void warn_of_topology(std::size_t i, const renderer::MeshTopology& topology) {
+        if (topology.doubled_triangles > 0) {
+            warn(i, "mesh-doubled",
+                 std::to_string(topology.doubled_triangles) +
+                     " triangles lie in the place of others and are left out",
+                 "remove them from the mesh");
+        }
+        if (!topology.is_closed) {
+            warn(i, "mesh-open",
+                 "light goes through this mesh, which has no inside: " +
+                     std::to_string(topology.open_edges) + " open edges",
+                 "close it; where it is meant as a sheet, use a material without index and "
+                 "absorption");
+        } else if (topology.flipped_triangles > 0) {
+            warn(i, "mesh-inside-out",
+                 std::to_string(topology.flipped_triangles) +
+                     " triangles wind the wrong way and are turned round",
+                 "let triangles wind counter-clockwise as seen from outside");
+        }
     }
 
     void warn_of_sheet(std::size_t i, const Inside& inside) {

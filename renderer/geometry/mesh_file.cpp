@@ -77,6 +77,11 @@ Result<std::shared_ptr<const TriangleMesh>> checked_mesh(TriangleMesh mesh,
     auto checked = check_sizes(mesh, limits);
     if (checked) checked = check_values(mesh);
     if (!checked) return tl::unexpected<Error>(std::move(checked.error()));
+    for (Vec3& n : mesh.normals) {
+        // The length of a normal says nothing about its direction.
+        const Real size = max_abs(n);
+        if (size > 0) n = normalize(n / size);
+    }
     const auto kept = std::remove_if(mesh.triangles.begin(), mesh.triangles.end(),
                                      [&](const Corners& c) { return !has_area(mesh, c); });
     mesh.dropped_triangles += static_cast<std::uint64_t>(mesh.triangles.end() - kept);

@@ -16,9 +16,10 @@ struct MeshLimits {
     std::size_t max_triangles = 50'000'000;
 };
 
-/// PLY (ascii, binary little and big endian: x y z, nx ny nz, u v or s t, face lists; polygons are
-/// cut into fans) or OBJ (v, vt, vn, f; groups and materials are ignored; normals and texture
-/// coordinates count only when every corner has them), told apart by the first bytes.
+/// PLY (ascii, binary little and big endian: x y z, nx ny nz, texture coordinates by vertex or
+/// corner, face lists) or OBJ (v, vt, vn, f), told apart by the first bytes. Polygons, convex or
+/// not, become triangles; attributes by corner split vertices; what else a file has is named in
+/// TriangleMesh::notes.
 /// Error{InvalidInput} names the line or element: not a mesh, cut short, index out of range, not
 /// finite, over `limits`. Nothing is allocated on the word of a header: memory stays within some
 /// tens of times the size of `bytes`. Triangles of zero area are left out and counted. Thread-safe.

@@ -1,127 +1,228 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: polygons only.
+// Wavefront OBJ: polygons; what else there is, is named.
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
+#include <optional>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
-#include "renderer/core/hash.h"
 #include "renderer/geometry/mesh_readers.h"
 #include "renderer/geometry/mesh_text.h"
+#include "renderer/geometry/polygon_mesh.h"
 
 namespace bouguer::renderer {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNone = PolygonCorner::kNone;
 
-/// Statements that say nothing about the surface.
-constexpr std::array<std::string_view, 14> kIgnored{
-    "g", "o", "s",   "mtllib",     "usemtl",    "usemap",   "maplib",
-    "l", "p", "lod", "shadow_obj", "trace_obj", "c_interp", "d_interp"};
+/// What a statement means for the surface.
+enum class Statement : std::uint8_t {
+    Vertex,
+    TextureVertex,
+    Normal,
+    Face,
+    Material,
+    Nothing,  ///< does not change polygons
+    Dropped   ///< is something that is left out, and named
+};
 
-constexpr std::array<std::string_view, 4> kRead{"v", "vt", "vn", "f"};
+struct Keyword {
+    std::string_view word;
+    Statement means;
+    std::string_view of = {};  ///< what is dropped
+};
 
-bool is_keyword(std::string_view word) {
-    const auto is_in = [&](const auto& words) {
-        return std::find(words.begin(), words.end(), word) != words.end();
-    };
-    return is_in(kRead) || is_in(kIgnored);
+/// Every statement of the format [Wavefront, Advanced Visualizer, appendix B1: Object Files].
+constexpr std::array kKeywords{
+    Keyword{"v", Statement::Vertex},
+    Keyword{"vt", Statement::TextureVertex},
+    Keyword{"vn", Statement::Normal},
+    Keyword{"f", Statement::Face},
+    Keyword{"fo", Statement::Face},  // as the format was before version 2.11
+    Keyword{"usemtl", Statement::Material},
+    Keyword{"g", Statement::Nothing},
+    Keyword{"o", Statement::Nothing},
+    Keyword{"s", Statement::Nothing},
+    Keyword{"mg", Statement::Nothing},
+    Keyword{"bevel", Statement::Nothing},
+    Keyword{"c_interp", Statement::Nothing},
+    Keyword{"d_interp", Statement::Nothing},
+    Keyword{"lod", Statement::Nothing},
+    Keyword{"mtllib", Statement::Nothing},
+    Keyword{"usemap", Statement::Nothing},
+    Keyword{"maplib", Statement::Nothing},
+    Keyword{"shadow_obj", Statement::Nothing},
+    Keyword{"trace_obj", Statement::Nothing},
+    Keyword{"ctech", Statement::Nothing},
+    Keyword{"stech", Statement::Nothing},
+    Keyword{"p", Statement::Dropped, "points"},
+    Keyword{"l", Statement::Dropped, "lines"},
+    Keyword{"call", Statement::Dropped, "other files (call)"},
+    Keyword{"csh", Statement::Dropped, "commands (csh)"},
+    Keyword{"vp", Statement::Dropped, "curves and surfaces"},
+    Keyword{"cstype", Statement::Dropped, "curves and surfaces"},
+    Keyword{"deg", Statement::Dropped, "curves and surfaces"},
+    Keyword{"bmat", Statement::Dropped, "curves and surfaces"},
+    Keyword{"step", Statement::Dropped, "curves and surfaces"},
+    Keyword{"curv", Statement::Dropped, "curves and surfaces"},
+    Keyword{"curv2", Statement::Dropped, "curves and surfaces"},
+    Keyword{"surf", Statement::Dropped, "curves and surfaces"},
+    Keyword{"parm", Statement::Dropped, "curves and surfaces"},
+    Keyword{"trim", Statement::Dropped, "curves and surfaces"},
+    Keyword{"hole", Statement::Dropped, "curves and surfaces"},
+    Keyword{"scrv", Statement::Dropped, "curves and surfaces"},
+    Keyword{"sp", Statement::Dropped, "curves and surfaces"},
+    Keyword{"end", Statement::Dropped, "curves and surfaces"},
+    Keyword{"con", Statement::Dropped, "curves and surfaces"},
+    Keyword{"bsp", Statement::Dropped, "curves and surfaces"},
+    Keyword{"bzp", Statement::Dropped, "curves and surfaces"},
+    Keyword{"cdc", Statement::Dropped, "curves and surfaces"},
+    Keyword{"cdp", Statement::Dropped, "curves and surfaces"},
+    Keyword{"res", Statement::Dropped, "curves and surfaces"},
+};
+
+const Keyword* find_keyword(std::string_view word) {
+    const auto it = std::find_if(kKeywords.begin(), kKeywords.end(),
+                                 [&](const Keyword& k) { return k.word == word; });
+    return it == kKeywords.end() ? nullptr : it;
 }
 
-/// A corner of a face: indices into positions, texture coordinates and normals.
-struct Corner {
-    std::uint32_t v = kNone, vt = kNone, vn = kNone;
-    bool operator==(const Corner&) const = default;
-};
+/// Some writers put it before the text [RFC 3629 §6].
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-struct HashCorner {
-    std::size_t operator()(const Corner& c) const { return hash(c.v, c.vt, c.vn); }
-};
+std::string_view without_mark(std::string_view bytes) {
+    if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+    return bytes;
+}
 
 class ObjReader {
   public:
     explicit ObjReader(const MeshLimits& limits)
-        : max_vertices_(std::min<std::size_t>(limits.max_vertices, kNone - 1)),
-          max_triangles_(limits.max_triangles) {}
+        : limits_(limits), max_vertices_(std::min<std::size_t>(limits.max_vertices, kNone - 1)) {}
 
     Result<TriangleMesh> read(std::string_view bytes) {
         if (!may_be_obj(bytes)) return refuse_mesh("", kNoMeshFile);
-        WordScanner lines(bytes);
+        WordScanner lines(without_mark(bytes));
         for (;;) {
             line_ = lines.line_number();
-            const auto line = lines.line();
+            const auto line = whole_line(lines);
             if (!line) break;
             if (auto read = statement(*line); !read) {
                 return tl::unexpected<Error>(std::move(read.error()));
             }
         }
-        if (corners_.empty()) return refuse_mesh("", kNoMeshFile);
-        return finish();
+        if (mesh_.sizes.empty()) return refuse_mesh("", kNoMeshFile);
+        return triangle_mesh(std::move(mesh_), limits_);
     }
 
   private:
+    /// A line with those that continue it: a backslash at the end joins the next.
+    std::optional<std::string_view> whole_line(WordScanner& lines) {
+        const auto line = lines.line();
+        if (!line || !line->ends_with('\\')) return line;
+        joined_.assign(*line);
+        while (joined_.ends_with('\\')) {
+            joined_.back() = ' ';
+            const auto more = lines.line();
+            if (!more) break;
+            joined_.append(*more);
+        }
+        return joined_;
+    }
+
     Result<void> statement(std::string_view line) {
         line = line.substr(0, line.find('#'));
         WordScanner words(line);
-        const std::string_view keyword = words.word();
-        if (keyword.empty()) return {};
-        if (keyword == "v") return vertex(words, positions_, 3, 7);
-        if (keyword == "vn") return vertex(words, normals_, 3, 3);
-        if (keyword == "vt") return vertex(words, uvs_, 1, 3);
-        if (keyword == "f") return face(words);
-        if (std::find(kIgnored.begin(), kIgnored.end(), keyword) != kIgnored.end()) return {};
-        return refuse("unknown statement");  // untold: the file may be none of ours
+        const std::string_view word = words.word();
+        if (word.empty()) return {};
+        const Keyword* keyword = find_keyword(word);
+        // Untold: the file may be none of ours.
+        if (keyword == nullptr) return refuse("unknown statement");
+        switch (keyword->means) {
+            case Statement::Vertex:
+                return vertex(words);
+            case Statement::TextureVertex:
+                return texture_vertex(words);
+            case Statement::Normal:
+                return normal(words);
+            case Statement::Face:
+                return face(words);
+            case Statement::Material:
+                MeshNotes::note(mesh_.notes.materials, words.word());
+                return {};
+            case Statement::Dropped:
+                MeshNotes::note(mesh_.notes.dropped, keyword->of);
+                return {};
+            case Statement::Nothing:
+                return {};
+        }
+        return {};
     }
 
-    /// Numbers up to the end of the line: at least `least` of them and at most `most`, of which the
-    /// first three are kept.
-    Result<void> vertex(WordScanner& words, std::vector<Vec3>& out, int least, int most) {
-        std::array<Real, 3> xyz{};
-        int n = 0;
-        for (std::string_view word = words.word(); !word.empty(); word = words.word(), ++n) {
+    /// Numbers up to the end of the line: at least `least` of them and at most `most`. The first
+    /// three are kept in xyz_, the count in num_read_.
+    Result<void> numbers(WordScanner& words, std::size_t so_far, int least, int most) {
+        xyz_ = {};
+        num_read_ = 0;
+        for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
             const auto number = parse_number<Real>(word);
             if (!number) return refuse("not a number: " + quoted(word));
             if (!std::isfinite(*number)) return refuse("not finite: " + quoted(word));
-            if (n < 3) xyz[static_cast<std::size_t>(n)] = *number;
+            if (num_read_ < 3) xyz_[static_cast<std::size_t>(num_read_)] = *number;
+            ++num_read_;
         }
-        if (n < least || n > most) return refuse("wrong count of numbers: " + std::to_string(n));
-        if (out.size() >= max_vertices_) return refuse("more vertices than allowed");
-        out.push_back({xyz[0], xyz[1], xyz[2]});
+        if (num_read_ < least || num_read_ > most)
+            return refuse("wrong count of numbers: " + std::to_string(num_read_));
+        if (so_far >= max_vertices_) return refuse("more vertices than allowed");
         return {};
+    }
+
+    /// x y z, then a weight that polygons do not have, or a colour, or both.
+    Result<void> vertex(WordScanner& words) {
+        auto read = numbers(words, mesh_.positions.size(), 3, 8);
+        if (!read) return read;
+        if (num_read_ >= 6) MeshNotes::note(mesh_.notes.dropped, "vertex colours");
+        mesh_.positions.push_back({xyz_[0], xyz_[1], xyz_[2]});
+        return read;
+    }
+    Result<void> texture_vertex(WordScanner& words) {
+        auto read = numbers(words, mesh_.uvs.size(), 1, 3);
+        if (read) mesh_.uvs.push_back({xyz_[0], xyz_[1]});
+        return read;
+    }
+    Result<void> normal(WordScanner& words) {
+        auto read = numbers(words, mesh_.normals.size(), 3, 3);
+        if (read) mesh_.normals.push_back({xyz_[0], xyz_[1], xyz_[2]});
+        return read;
     }
 
     Result<void> face(WordScanner& words) {
-        std::array<Corner, 3> fan;  // the first corner, the one before, this one
-        std::size_t n = 0;
+        std::uint32_t n = 0;
         for (std::string_view word = words.word(); !word.empty(); word = words.word(), ++n) {
             auto read = corner(word);
             if (!read) return tl::unexpected<Error>(std::move(read.error()));
-            fan[std::min<std::size_t>(n, 2)] = *read;
-            if (n < 2) continue;
-            if (corners_.size() / 3 >= max_triangles_) {
-                return refuse("more triangles than allowed");
-            }
-            corners_.insert(corners_.end(), fan.begin(), fan.end());
-            fan[1] = fan[2];
+            mesh_.corners.push_back(*read);
         }
         if (n < 3) return refuse("a face needs three corners");
+        mesh_.sizes.push_back(n);
+        mesh_.lines.push_back(line_);
+        if (mesh_.num_triangles() > limits_.max_triangles)
+            return refuse("more triangles than allowed");
         return {};
     }
 
-    /// v, v/vt, v//vn or v/vt/vn.
-    Result<Corner> corner(std::string_view word) {
-        Corner result;
+    /// v, v/vt, v//vn or v/vt/vn; what is not there may be left empty.
+    Result<PolygonCorner> corner(std::string_view word) {
+        PolygonCorner result;
         const std::string_view whole = word;
         const std::array<std::pair<std::uint32_t*, std::size_t>, 3> places{
-            std::pair{&result.v, positions_.size()}, std::pair{&result.vt, uvs_.size()},
-            std::pair{&result.vn, normals_.size()}};
+            std::pair{&result.v, mesh_.positions.size()}, std::pair{&result.vt, mesh_.uvs.size()},
+            std::pair{&result.vn, mesh_.normals.size()}};
         for (std::size_t i = 0; i < places.size(); ++i) {
             const std::size_t slash = word.find('/');
             const std::string_view text = word.substr(0, slash);
-            const bool may_be_empty = i == 1 && slash != std::string_view::npos;
-            if (!text.empty() || !may_be_empty) {
+            if (i == 0 || !text.empty()) {
                 const auto index = resolve(text, places[i].second);
                 if (!index) return refuse("no such corner: " + quoted(whole));
                 *places[i].first = *index;
@@ -140,43 +241,17 @@ class ObjReader {
         return static_cast<std::uint32_t>(*index > 0 ? *index - 1 : n + *index);
     }
 
-    /// One vertex for every combination of position, texture coordinate and normal that is used.
-    Result<TriangleMesh> finish() {
-        const auto all_have = [&](std::uint32_t Corner::*index) {
-            return std::none_of(corners_.begin(), corners_.end(),
-                                [&](const Corner& c) { return c.*index == kNone; });
-        };
-        const bool with_uvs = all_have(&Corner::vt);
-        const bool with_normals = all_have(&Corner::vn);
-        TriangleMesh mesh;
-        mesh.triangles.resize(corners_.size() / 3);
-        std::unordered_map<Corner, std::uint32_t, HashCorner> known;
-        for (std::size_t i = 0; i < corners_.size(); ++i) {
-            const Corner key{corners_[i].v, with_uvs ? corners_[i].vt : kNone,
-                             with_normals ? corners_[i].vn : kNone};
-            const auto [it, is_new] =
-                known.try_emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
-            mesh.triangles[i / 3][i % 3] = it->second;
-            if (!is_new) continue;
-            if (mesh.positions.size() >= max_vertices_) {
-                return refuse_mesh("", "more vertices than allowed");
-            }
-            mesh.positions.push_back(positions_[key.v]);
-            if (with_uvs) mesh.uvs.push_back({uvs_[key.vt].x, uvs_[key.vt].y});
-            if (with_normals) mesh.normals.push_back(normals_[key.vn]);
-        }
-        return mesh;
-    }
-
     [[nodiscard]] tl::unexpected<Error> refuse(const std::string& what) const {
         return refuse_mesh("line " + std::to_string(line_), what);
     }
 
+    MeshLimits limits_;
     std::size_t max_vertices_;
-    std::size_t max_triangles_;
     std::uint64_t line_ = 0;
-    std::vector<Vec3> positions_, normals_, uvs_;
-    std::vector<Corner> corners_;  ///< three a triangle
+    std::string joined_;  ///< a line of several
+    std::array<Real, 3> xyz_{};
+    int num_read_ = 0;
+    PolygonMesh mesh_;
 };
 
 }  // namespace
@@ -184,6 +259,7 @@ class ObjReader {
 bool may_be_obj(std::string_view first_bytes) {
     if (first_bytes.find('\0') != std::string_view::npos) return false;
     const std::string_view space = " \t\r\v\f";
+    first_bytes = without_mark(first_bytes);
     while (!first_bytes.empty()) {
         std::string_view line = first_bytes.substr(0, first_bytes.find('\n'));
         const bool is_cut = line.size() == first_bytes.size();
@@ -192,7 +268,7 @@ bool may_be_obj(std::string_view first_bytes) {
         const std::size_t begin = line.find_first_not_of(space);
         if (begin == std::string_view::npos) continue;
         const std::string_view word = line.substr(begin, line.find_first_of(space, begin) - begin);
-        return is_keyword(word) || (is_cut && word.size() == line.size() - begin);
+        return find_keyword(word) != nullptr || (is_cut && word.size() == line.size() - begin);
     }
     return true;
 }

@@ -11,6 +11,7 @@
 #include "renderer/geometry/mesh_readers.h"
 #include "renderer/geometry/mesh_text.h"
 #include "renderer/geometry/ply_header.h"
+#include "renderer/geometry/polygon_mesh.h"
 
 namespace bouguer::renderer {
 namespace {
@@ -104,14 +105,22 @@ std::optional<std::array<std::size_t, N>> places(const PlyElement& element,
     return found;
 }
 
+/// The names that writers give to texture coordinates.
+using UvNames = std::array<std::string_view, 2>;
+constexpr std::array kUvNames{UvNames{"u", "v"},
+                              UvNames{"s", "t"},
+                              UvNames{"texture_u", "texture_v"},
+                              UvNames{"texture_s", "texture_t"},
+                              UvNames{"texcoord_u", "texcoord_v"},
+                              UvNames{"tu", "tv"}};
+
 std::optional<VertexLayout> layout_of(const PlyElement& element) {
-    using Names = std::array<std::string_view, 2>;
     VertexLayout layout;
     const auto position = places<3>(element, {"x", "y", "z"});
     if (!position) return std::nullopt;
     layout.position = *position;
     layout.normal = places<3>(element, {"nx", "ny", "nz"});
-    for (const Names& names : {Names{"u", "v"}, Names{"s", "t"}, Names{"texture_u", "texture_v"}}) {
+    for (const UvNames& names : kUvNames) {
         if (!layout.uv) layout.uv = places<2>(element, names);
     }
     return layout;
@@ -120,6 +129,27 @@ std::optional<VertexLayout> layout_of(const PlyElement& element) {
 bool is_face_list(const PlyProperty& property) {
     return property.list_size && is_integer(property.type) &&
            (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+/// Texture coordinates by corner, u v u v ..., as MeshLab and Blender write them.
+bool is_uv_list(const PlyProperty& property) {
+    return property.list_size &&
+           (property.name == "texcoord" || property.name == "texture_coordinates");
+}
+
+/// What a property that is not read would have been, in words; empty for what says nothing about
+/// the surface.
+std::string dropped_name(std::string_view element, const PlyProperty& property) {
+    constexpr std::array<std::string_view, 6> kColours{"red", "green", "blue", "r", "g", "b"};
+    constexpr std::array<std::string_view, 5> kNothing{"texnumber", "flags", "quality", "alpha",
+                                                       "intensity"};
+    const auto is_in = [&](const auto& names) {
+        return std::find(names.begin(), names.end(), property.name) != names.end();
+    };
+    if (is_in(kNothing)) return {};
+    if (is_in(kColours) || property.name.starts_with("diffuse_"))
+        return element == "face" ? "face colours" : "vertex colours";
+    return std::string(element) + " property " + quoted(property.name);
 }
 
 template <class Source>
@@ -142,7 +172,9 @@ class BodyReader {
         if (!std::all_of(rest.begin(), rest.end(), is_space)) {
             return refuse_mesh(source_.where(), "more follows the last element");
         }
-        return std::move(mesh_);
+        if (mesh_.sizes.empty()) return refuse_mesh("", "no face of three corners");
+        mesh_.uvs.insert(mesh_.uvs.end(), list_uvs_.begin(), list_uvs_.end());
+        return triangle_mesh(std::move(mesh_), limits_);
     }
 
   private:
@@ -155,15 +187,39 @@ class BodyReader {
                 const auto layout = layout_of(element);
                 if (!layout) return refuse_mesh("element \"vertex\"", "x, y or z is missing");
                 layout_ = *layout;
+                note_dropped(element);
             } else if (element.name == "face") {
                 has_faces =
                     std::any_of(element.properties.begin(), element.properties.end(), is_face_list);
+                for (const PlyProperty& p : element.properties) {
+                    if (!is_face_list(p) && !is_uv_list(p)) note_dropped(element.name, p);
+                }
+            } else {
+                MeshNotes::note(mesh_.notes.dropped, "elements " + quoted(element.name));
             }
         }
         if (auto few = check_ply_counts(header_, limits_); !few) return few;
         if (num_vertices_ == 0) return refuse_mesh("", "no vertices");
         if (!has_faces) return refuse_mesh("", "no faces with a list \"vertex_indices\"");
         return {};
+    }
+
+    void note_dropped(std::string_view element, const PlyProperty& property) {
+        const std::string name = dropped_name(element, property);
+        if (!name.empty()) MeshNotes::note(mesh_.notes.dropped, name);
+    }
+
+    void note_dropped(const PlyElement& vertex) {
+        const auto is_read = [&](std::size_t k) {
+            const auto has = [&](const auto& at) {
+                return std::find(at.begin(), at.end(), k) != at.end();
+            };
+            return has(layout_.position) || (layout_.normal && has(*layout_.normal)) ||
+                   (layout_.uv && has(*layout_.uv));
+        };
+        for (std::size_t k = 0; k < vertex.properties.size(); ++k) {
+            if (!is_read(k)) note_dropped(vertex.name, vertex.properties[k]);
+        }
     }
 
     Result<void> vertices(const PlyElement& element) {
@@ -191,39 +247,78 @@ class BodyReader {
 
     Result<void> faces(const PlyElement& element) {
         for (std::uint64_t i = 0; i < element.count; ++i) {
+            const std::size_t first = mesh_.corners.size();
+            uv_list_.clear();
             for (const PlyProperty& p : element.properties) {
-                if (!is_face_list(p)) {
-                    if (!property(p)) return refuse(element, i);
-                } else if (auto read = face(element, i, p); !read) {
-                    return read;
+                if (is_face_list(p)) {
+                    if (auto read = corners(element, i, p); !read) return read;
+                } else if (is_uv_list(p)) {
+                    if (!numbers(p)) return refuse(element, i);
+                } else if (!property(p)) {
+                    return refuse(element, i);
                 }
             }
+            if (auto ended = end_face(element, i, first); !ended) return ended;
         }
         return {};
     }
 
-    /// A polygon as a fan about its first corner.
-    Result<void> face(const PlyElement& element, std::uint64_t i, const PlyProperty& list) {
+    Result<void> corners(const PlyElement& element, std::uint64_t i, const PlyProperty& list) {
         const auto size = source_.value(*list.list_size);
-        if (!size) return refuse(element, i);
-        if (*size < 3) return refuse(element, i, "a face needs three corners");
-        std::array<std::uint32_t, 3> fan{};
+        if (!size || *size < 0) return refuse(element, i);
         for (Real k = 0; k < *size; ++k) {
             const auto index = source_.value(list.type);
             if (!index) return refuse(element, i);
             if (*index < 0 || *index >= static_cast<Real>(num_vertices_)) {
                 return refuse(element, i, "no such vertex");
             }
-            fan[k < 2 ? static_cast<std::size_t>(k) : 2] = static_cast<std::uint32_t>(*index);
-            if (k < 2) continue;
-            if (mesh_.triangles.size() >= limits_.max_triangles) {
+            const auto v = static_cast<std::uint32_t>(*index);
+            mesh_.corners.push_back({v, layout_.uv ? v : PolygonCorner::kNone,
+                                     layout_.normal ? v : PolygonCorner::kNone});
+            if (mesh_.corners.size() > 3 * limits_.max_triangles + 2 * mesh_.sizes.size())
                 return refuse(element, i, "more triangles than allowed");
-            }
-            mesh_.triangles.push_back(fan);
-            fan[1] = fan[2];
         }
         return {};
     }
+
+    /// Into uv_list_.
+    bool numbers(const PlyProperty& list) {
+        const auto size = source_.value(*list.list_size);
+        if (!size || *size < 0) return false;
+        for (Real k = 0; k < *size; ++k) {
+            const auto value = source_.value(list.type);
+            if (!value) return false;
+            uv_list_.push_back(*value);
+        }
+        return true;
+    }
+
+    /// Joins the corners from `first` on to a polygon with the coordinates of uv_list_. What has
+    /// fewer than three is no face: it is counted.
+    Result<void> end_face(const PlyElement& element, std::uint64_t i, std::size_t first) {
+        const std::size_t size = mesh_.corners.size() - first;
+        if (size < 3) {
+            mesh_.corners.resize(first);
+            MeshNotes::note(mesh_.notes.dropped, "faces of one or two corners");
+            return {};
+        }
+        if (!uv_list_.empty()) {
+            if (uv_list_.size() != 2 * size)
+                return refuse(element, i, "texture coordinates are not two a corner");
+            for (std::size_t k = 0; k < size; ++k) {
+                mesh_.corners[first + k].vt =
+                    static_cast<std::uint32_t>(num_vertex_uvs() + list_uvs_.size());
+                list_uvs_.push_back({uv_list_[2 * k], uv_list_[2 * k + 1]});
+            }
+        }
+        mesh_.sizes.push_back(static_cast<std::uint32_t>(size));
+        if (mesh_.num_triangles() > limits_.max_triangles)
+            return refuse(element, i, "more triangles than allowed");
+        return {};
+    }
+
+    /// Texture coordinates of faces stand behind those of vertices, which may come later.
+    [[nodiscard]] std::uint64_t num_vertex_uvs() const { return layout_.uv ? num_vertices_ : 0; }
 
     Result<void> others(const PlyElement& element) {
         for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -261,7 +356,9 @@ class BodyReader {
     Source source_;
     VertexLayout layout_;
     std::uint64_t num_vertices_ = 0;
-    TriangleMesh mesh_;
+    PolygonMesh mesh_;
+    std::vector<Real> uv_list_;   ///< of one face
+    std::vector<Vec2> list_uvs_;  ///< of all faces
 };
 
 }  // namespace

@@ -3,9 +3,13 @@
 // transform.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -41,14 +45,39 @@ struct Cylinder {
     Real radius = 1;
 };
 
+/// What a mesh file had beside the triangles that were made of it.
+struct MeshNotes {
+    std::vector<std::string> materials;       ///< that the file's `usemtl` names; each once
+    std::vector<std::string> dropped;         ///< kinds of things that were left out, in words
+    std::uint64_t triangles_without_uvs = 0;  ///< in a mesh of which others have them
+    std::uint64_t crossed_polygons = 0;       ///< whose border crosses itself
+
+    /// Adds to a list what it does not have; of very many the first.
+    static void note(std::vector<std::string>& list, std::string_view what) {
+        constexpr std::size_t kMost = 32;
+        if (list.size() < kMost && std::find(list.begin(), list.end(), what) == list.end())
+            list.emplace_back(what);
+    }
+};
+
+/// How the surface of a mesh hangs together, and what was mended (see mesh_topology.h).
+struct MeshTopology {
+    bool is_closed = false;  ///< has an inside
+    std::uint64_t open_edges = 0;
+    std::uint64_t flipped_triangles = 0;  ///< turned round, to wind as the others or outwards
+    std::uint64_t doubled_triangles = 0;  ///< in the place of another; left out
+};
+
 /// Triangles with shared vertices; counter-clockwise seen from outside. Immutable once shared.
 struct TriangleMesh {
     std::vector<Vec3> positions;
-    std::vector<Vec3> normals;  ///< for shading, one a position; or empty: faces are flat
+    std::vector<Vec3> normals;  ///< for shading, unit, one a position; or empty: faces are flat
     std::vector<Vec2> uvs;      ///< one a position; or empty
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::uint64_t dropped_triangles =
         0;  ///< of zero area or with equal corners, left out when the mesh was read
+    MeshNotes notes;
+    std::optional<MeshTopology> topology;  ///< of a mesh that was mended
 };
 
 using Shape = std::variant<Sphere, Plane, Disk, Box, Cylinder, std::shared_ptr<const TriangleMesh>>;

@@ -1,17 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/scene/scene.h"
 
+#include <utility>
+
 #include "renderer/render.h"
+#include "renderer/scene/mend_meshes.h"
+#include "renderer/spectrum/refractive_index.h"
 
 namespace bouguer::renderer {
 namespace {
 
-/// Disks are sheets: no inside, so no refraction and no absorption.
-BodyDescription body_of(const ObjectDescription& object, const SceneDescription& scene) {
+using MeshPtr = std::shared_ptr<const TriangleMesh>;
+
+/// Whether what is inside a body of this material differs from what is outside.
+bool has_inside(const MaterialNeeds& needs) {
+    return needs.absorbs || !needs.ior->is_constant() || needs.ior->at(kLineD_nm) != 1;
+}
+
+/// Disks are sheets: no inside, so no refraction and no absorption. So is an open mesh of a
+/// material that would do neither.
+BodyDescription body_of(const ObjectDescription& object, const Shape& shape,
+                        const SceneDescription& scene) {
     BodyDescription body;
-    body.is_flat = std::holds_alternative<Disk>(object.placed.shape);
-    if (needs_of(scene.materials[object.material]).transmits)
-        body.matter = body.is_flat ? Matter::Sheet : Matter::Body;
+    body.is_flat = std::holds_alternative<Disk>(shape);
+    const MaterialNeeds needs = needs_of(scene.materials[object.material]);
+    if (needs.transmits) {
+        const auto* mesh = std::get_if<MeshPtr>(&shape);
+        body.is_closed = mesh == nullptr || (*mesh)->topology->is_closed;
+        const bool is_sheet = body.is_flat || (!body.is_closed && !has_inside(needs));
+        body.matter = is_sheet ? Matter::Sheet : Matter::Body;
+    }
     body.priority = object.priority;
     body.instances = static_cast<std::uint32_t>(object.placed.instances.size());
     return body;
@@ -19,8 +37,10 @@ BodyDescription body_of(const ObjectDescription& object, const SceneDescription&
 
 }  // namespace
 
-Result<std::shared_ptr<const Scene>> Scene::build(const SceneDescription& description,
+Result<std::shared_ptr<const Scene>> Scene::build(const SceneDescription& given,
                                                   const GeometryWrapper& wrap) {
+    SceneDescription description = given;
+    mend_meshes(description);
     std::vector<PlacedShape> shapes;
     shapes.reserve(description.objects.size());
     for (const ObjectDescription& object : description.objects) shapes.push_back(object.placed);
@@ -37,7 +57,7 @@ Result<std::shared_ptr<const Scene>> Scene::build(const SceneDescription& descri
     for (const ObjectDescription& object : description.objects) {
         scene->object_materials_.push_back(static_cast<std::uint32_t>(object.material));
         scene->object_names_.push_back(object.name);
-        bodies.push_back(body_of(object, description));
+        bodies.push_back(body_of(object, shapes[bodies.size()].shape, description));
         if (const auto* mesh =
                 std::get_if<std::shared_ptr<const TriangleMesh>>(&object.placed.shape)) {
             scene->dropped_triangles_ += (*mesh)->dropped_triangles;

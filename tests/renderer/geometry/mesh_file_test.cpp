@@ -134,11 +134,54 @@ TEST(MeshFile, SplitsObjVerticesWhereTextureCoordinatesDiffer) {
     EXPECT_EQ(mesh->positions[mesh->triangles[1][2]], (Vec3{0, 1, 0}));
 }
 
-TEST(MeshFile, LeavesOutObjNormalsThatSomeCornersLack) {
+// A corner without a normal has that of its face; the other face keeps its own.
+TEST(MeshFile, GivesTheFacesNormalToCornersThatLackOne) {
     const Mesh mesh =
-        read("v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3\nf 1//1 2//1 3//1\n");
-    EXPECT_TRUE(mesh->normals.empty());
-    EXPECT_EQ(mesh->positions.size(), 3U);
+        read("v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0.6 0 0.8\nf 1//1 2//1 3\nf 1//1 2//1 3//1\n");
+    ASSERT_EQ(mesh->normals.size(), 4U);
+    EXPECT_EQ(mesh->normals[mesh->triangles[0][2]], (Vec3{0, 0, 1}));
+    EXPECT_NEAR(mesh->normals[mesh->triangles[1][2]].x, 0.6, 1e-15);
+}
+
+// One face of two has coordinates: it keeps them, and the other is counted.
+TEST(MeshFile, KeepsCoordinatesThatSomeFacesLack) {
+    const Mesh mesh = read(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 9 0 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+        "f 1/1 2/2 3/3\nf 1 4 3\n");
+    ASSERT_EQ(mesh->uvs.size(), mesh->positions.size());
+    EXPECT_EQ(mesh->uvs[mesh->triangles[0][1]], (Vec2{1, 0}));
+    EXPECT_EQ(mesh->notes.triangles_without_uvs, 1U);
+}
+
+TEST(MeshFile, MakesNormalsUnit) {
+    const Mesh mesh = read(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1e-200\nvn 0 300 400\n"
+        "f 1//1 2//2 3//1\n");
+    EXPECT_EQ(mesh->normals[mesh->triangles[0][0]], (Vec3{0, 0, 1}));
+    EXPECT_NEAR(mesh->normals[mesh->triangles[0][1]].y, 0.6, 1e-15);
+}
+
+// Every statement of the format is read, is known to change no polygon, or is named.
+TEST(MeshFile, KnowsTheStatementsOfObj) {
+    const Mesh mesh = read(
+        "\xEF\xBB\xBFmtllib a.mtl\nmg 1 0.5\nbevel on\nv 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+        "usemtl red wine\nf 1 2 \\\n  3 4\nusemtl blue\nl 1 2\np 1\ncstype bezier\ndeg 3\n");
+    EXPECT_EQ(mesh->triangles.size(), 2U);
+    EXPECT_EQ(mesh->notes.materials, (std::vector<std::string>{"red", "blue"}));
+    EXPECT_EQ(mesh->notes.dropped, (std::vector<std::string>{"vertex colours", "lines", "points",
+                                                             "curves and surfaces"}));
+}
+
+TEST(MeshFile, ReadsPlyCoordinatesByCornerAndNamesTheRest) {
+    const Mesh mesh = read(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nproperty uchar red\nelement face 1\n"
+        "property list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+        "property int texnumber\nend_header\n0 0 0 255\n1 0 0 255\n1 1 0 255\n"
+        "3 0 1 2 6 0 0 1 0 1 0.5 0\n");
+    ASSERT_EQ(mesh->uvs.size(), 3U);
+    EXPECT_EQ(mesh->uvs[mesh->triangles[0][2]], (Vec2{1, 0.5}));
+    EXPECT_EQ(mesh->notes.dropped, (std::vector<std::string>{"vertex colours"}));
 }
 
 // Equal corners; corners on a line; a triangle of height 1e-9, which has an area.
@@ -239,7 +282,7 @@ std::vector<Malformed> malformed_files() {
          "vertex 0"},
         {"face cut short", ply(kAscii + kVertex + kFace, kCorner + "3 0 1"), "face 0"},
         {"face of two corners", ply(kAscii + kVertex + kFace, kCorner + "2 0 1"),
-         "a face needs three corners"},
+         "no face of three corners"},
         {"face of minus three corners", ply(kAscii + kVertex + kFace, kCorner + "-3 0 1 2"),
          "face 0"},
         {"fractional index", ply(kAscii + kVertex + kFace, kCorner + "3 0 1 1.5"), "face 0"},
@@ -262,17 +305,14 @@ std::vector<Malformed> malformed_files() {
         {"obj index over 64 bits", kObj + "f 1 2 99999999999999999999\n", "line 4"},
         {"obj unknown texture coordinate", kObj + "f 1/1 2/1 3/1\n", "line 4"},
         {"obj unknown normal", kObj + "f 1//1 2//1 3//1\n", "line 4"},
-        {"obj empty normal", kObj + "vn 0 0 1\nf 1// 2// 3//\n", "line 5"},
         {"obj four indices", kObj + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2/1/1 3/1/1\n", "line 6"},
         {"obj empty index", kObj + "f /1 2 3\n", "line 4"},
+        {"obj nine coordinates", "v 0 0 0 1 1 1 1 1 1\n", "wrong count of numbers"},
         {"obj fractional index", kObj + "f 1 2 2.5\n", "line 4"},
         {"obj two corners", kObj + "f 1 2\n", "line 4: a face needs three corners"},
         {"obj two coordinates", "v 0 0\n", "line 1: wrong count of numbers"},
-        {"obj eight coordinates", "v 0 0 0 0 0 0 0 0\n", "line 1"},
         {"obj vertex is a word", "v 0 0 x\n", "line 1: not a number: \"x\""},
         {"obj vertex is infinite", "v 0 0 inf\n", "line 1: not finite"},
-        {"obj free-form surface", kObj + "cstype bezier\n", "line 4: unknown statement"},
-        {"obj continued line", kObj + "f 1 2 \\\n3\n", "line 4"},
         {"obj without area", kObj + "f 1 1 1\n", "no triangle"},
     };
 }
