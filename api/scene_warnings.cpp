@@ -118,12 +118,6 @@ bool contains(const renderer::AnalyticShape& shape, const Bounds& box) {
 
 using MeshPtr = std::shared_ptr<const renderer::TriangleMesh>;
 
-std::string list_of(const std::vector<std::string>& names) {
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    return list;
-}
-
 /// Warns of one scene.
 class SceneCheck {
   public:
@@ -156,8 +150,7 @@ class SceneCheck {
             const ObjectDescription& object = scene_.objects[i];
             const MaterialDescription& material = scene_.materials[object.material];
             if (const auto* mesh = std::get_if<MeshPtr>(&object.placed.shape)) {
-                warn_of_file(i, (*mesh)->notes);
-                if (transmits(material)) warn_of_topology(i, *(*mesh)->topology);
+                warn_of_mesh(i, **mesh);
             }
             if (!transmits(material)) {
                 if (object.priority != 0) {
@@ -199,15 +192,21 @@ class SceneCheck {
         problems_.warn({at(i) + "/shape", code, detail, advice});
     }
 
+    /// Once, however many objects have the mesh.
+    void warn_of_mesh(std::size_t i, const renderer::TriangleMesh& mesh) {
+        if (!meshes_.insert(&mesh).second) return;
+        warn_of_file(i, mesh.notes);
+        if (mesh.topology) warn_of_topology(i, *mesh.topology);
+    }
+
     void warn_of_file(std::size_t i, const renderer::MeshNotes& notes) {
         if (!notes.materials.empty()) {
             warn(i, "mesh-materials-dropped",
-                 "the materials that the file names are not read: " + list_of(notes.materials),
+                 "the materials that the file names are not read: " + notes.materials.text(),
                  "give each part an object and a material of its own");
         }
         if (!notes.dropped.empty()) {
-            warn(i, "mesh-parts-dropped",
-                 "the file has more than is read: " + list_of(notes.dropped),
+            warn(i, "mesh-parts-dropped", "the file has more than is read: " + notes.dropped.text(),
                  "see that the surface does not need them");
         }
         if (notes.crossed_polygons > 0) {
@@ -227,10 +226,12 @@ class SceneCheck {
         if (!topology.is_closed) {
             warn(i, "mesh-open",
                  "light goes through this mesh, which has no inside: " +
-                     std::to_string(topology.open_edges) + " open edges",
+                     (topology.open_edges > 0 ? std::to_string(topology.open_edges) + " open edges"
+                                              : std::string("its surface has one side only")),
                  "close it; where it is meant as a sheet, use a material without index and "
                  "absorption");
-        } else if (topology.flipped_triangles > 0) {
+        }
+        if (topology.flipped_triangles > 0) {
             warn(i, "mesh-inside-out",
                  std::to_string(topology.flipped_triangles) +
                      " triangles wind the wrong way and are turned round",
@@ -284,6 +285,7 @@ class SceneCheck {
     const SceneDescription& scene_;
     const std::string& pointer_;
     Problems& problems_;
+    std::set<const renderer::TriangleMesh*> meshes_;  ///< that were looked at
 };
 
 /// Where the camera looks.

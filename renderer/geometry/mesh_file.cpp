@@ -10,6 +10,7 @@
 #include "renderer/core/out_of_memory.h"
 #include "renderer/geometry/mesh_readers.h"
 #include "renderer/geometry/mesh_text.h"
+#include "renderer/geometry/polygon_triangulation.h"
 
 namespace bouguer::renderer {
 namespace {
@@ -70,6 +71,48 @@ Result<void> check_values(const TriangleMesh& mesh) {
     return {};
 }
 
+/// Takes out triangles without an area; those of three corners are kept aside.
+void drop_flat_triangles(TriangleMesh& mesh) {
+    auto kept = mesh.triangles.begin();
+    for (const Corners& c : mesh.triangles) {
+        if (has_area(mesh, c)) {
+            *kept++ = c;
+            continue;
+        }
+        ++mesh.dropped_triangles;
+        const auto at = [&](std::size_t i) { return mesh.positions[c[i]]; };
+        if (at(0) != at(1) && at(1) != at(2) && at(2) != at(0)) mesh.flat_triangles.push_back(c);
+    }
+    mesh.triangles.erase(kept, mesh.triangles.end());
+}
+
+/// The length of a normal says nothing about its direction; one of no length says nothing at all,
+/// and becomes the mean of the triangles around its vertex.
+void make_normals_unit(TriangleMesh& mesh) {
+    bool lacks_some = false;
+    std::vector<bool> is_given(mesh.normals.size(), true);
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        Vec3& n = mesh.normals[i];
+        const Real size = max_abs(n);
+        is_given[i] = size > 0;
+        lacks_some = lacks_some || size == 0;
+        if (size > 0) n = normalize(n / size);
+    }
+    if (!lacks_some) return;
+    for (const Corners& c : mesh.triangles) {
+        const std::array<Vec3, 3> p{mesh.positions[c[0]], mesh.positions[c[1]],
+                                    mesh.positions[c[2]]};
+        const Vec3 area = area_vector(p);
+        for (const std::uint32_t i : c) {
+            if (!is_given[i]) mesh.normals[i] += normalize(area);
+        }
+    }
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        Vec3& n = mesh.normals[i];
+        if (!is_given[i] && length(n) > 0) n = normalize(n);
+    }
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const TriangleMesh>> checked_mesh(TriangleMesh mesh,
@@ -77,16 +120,9 @@ Result<std::shared_ptr<const TriangleMesh>> checked_mesh(TriangleMesh mesh,
     auto checked = check_sizes(mesh, limits);
     if (checked) checked = check_values(mesh);
     if (!checked) return tl::unexpected<Error>(std::move(checked.error()));
-    for (Vec3& n : mesh.normals) {
-        // The length of a normal says nothing about its direction.
-        const Real size = max_abs(n);
-        if (size > 0) n = normalize(n / size);
-    }
-    const auto kept = std::remove_if(mesh.triangles.begin(), mesh.triangles.end(),
-                                     [&](const Corners& c) { return !has_area(mesh, c); });
-    mesh.dropped_triangles += static_cast<std::uint64_t>(mesh.triangles.end() - kept);
-    mesh.triangles.erase(kept, mesh.triangles.end());
+    drop_flat_triangles(mesh);
     if (mesh.triangles.empty()) return refuse_mesh("", "no triangle that has an area");
+    make_normals_unit(mesh);
     return std::make_shared<const TriangleMesh>(std::move(mesh));
 }
 

@@ -21,6 +21,7 @@ inline constexpr const char* kNoMeshFile = "not a PLY file, nor an OBJ file with
 
 /// Whether a file that begins so says that it is a PLY.
 [[nodiscard]] inline bool is_ply(std::string_view first_bytes) {
+    first_bytes = without_mark(first_bytes);
     return first_bytes.size() > 3 && first_bytes.starts_with("ply") && is_space(first_bytes[3]);
 }
 /// Whether a file that begins so may be an OBJ, which has no magic number: text, of which the first

@@ -22,8 +22,11 @@ class ObjCounter {
     /// Error{InvalidInput}: over the limits.
     Result<void> add(std::string_view piece) {
         for (const char c : piece) {
+            if (ends_with_backslash_ && continues(c)) continue;
             if (c == '\n') {
                 if (auto fits = end_line(); !fits) return fits;
+            } else if (c == '\\' && !is_comment_) {
+                ends_with_backslash_ = true;
             } else if (is_space(c) || is_comment_ || c == '#') {
                 is_comment_ = is_comment_ || c == '#';
                 is_in_word_ = false;
@@ -36,6 +39,19 @@ class ObjCounter {
     [[nodiscard]] MeshSize size() const { return size_; }
 
   private:
+    /// Behind a backslash: whether `c` is the end of a line, or the first half of one, which the
+    /// next line goes on with. Else the backslash was a letter.
+    bool continues(char c) {
+        if (c == '\r') return true;
+        ends_with_backslash_ = false;
+        if (c != '\n') {
+            add_to_word('\\');
+            return false;
+        }
+        is_in_word_ = false;
+        ++line_;
+        return true;
+    }
     void add_to_word(char c) {
         if (!is_in_word_) ++words_;
         if (words_ == 1) keyword_ = is_in_word_ ? '?' : c;  // of one letter, or none that counts
@@ -59,7 +75,7 @@ class ObjCounter {
     std::uint64_t line_ = 1;
     std::uint64_t words_ = 0;
     char keyword_ = '?';
-    bool is_in_word_ = false, is_comment_ = false;
+    bool is_in_word_ = false, is_comment_ = false, ends_with_backslash_ = false;
     MeshSize size_;
 };
 
@@ -85,11 +101,12 @@ Result<MeshSize> obj_size(const ByteSource& file, const MeshLimits& limits) {
         const auto piece = file.read(at, kPiece);
         if (!piece) return tl::unexpected(piece.error());
         if (piece->find('\0') != std::string::npos) return refuse_mesh("", kNoMeshFile);
-        if (auto fits = counter.add(*piece); !fits) {
+        const std::string_view text = *piece;
+        if (auto fits = counter.add(at == 0 ? without_mark(text) : text); !fits) {
             return tl::unexpected(std::move(fits).error());
         }
     }
-    if (auto fits = counter.add("\n"); !fits) return tl::unexpected(std::move(fits).error());
+    if (auto fits = counter.add("\n\n"); !fits) return tl::unexpected(std::move(fits).error());
     return counter.size();
 }
 

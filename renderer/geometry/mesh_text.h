@@ -18,6 +18,13 @@ namespace bouguer::renderer {
     return fail(ErrorKind::InvalidInput, where.empty() ? what : where + ": " + what, "bad-mesh");
 }
 
+/// Without the UTF-8 byte order mark that some writers put before a text [RFC 3629 §6].
+[[nodiscard]] inline std::string_view without_mark(std::string_view bytes) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    if (bytes.starts_with(kMark)) bytes.remove_prefix(kMark.size());
+    return bytes;
+}
+
 inline bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
 }

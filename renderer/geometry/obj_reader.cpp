@@ -88,14 +88,6 @@ const Keyword* find_keyword(std::string_view word) {
     return it == kKeywords.end() ? nullptr : it;
 }
 
-/// Some writers put it before the text [RFC 3629 §6].
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-std::string_view without_mark(std::string_view bytes) {
-    if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
-    return bytes;
-}
-
 class ObjReader {
   public:
     explicit ObjReader(const MeshLimits& limits)
@@ -112,27 +104,32 @@ class ObjReader {
                 return tl::unexpected<Error>(std::move(read.error()));
             }
         }
-        if (mesh_.sizes.empty()) return refuse_mesh("", kNoMeshFile);
+        if (mesh_.sizes.empty()) return refuse_without_faces();
         return triangle_mesh(std::move(mesh_), limits_);
     }
 
   private:
-    /// A line with those that continue it: a backslash at the end joins the next.
+    /// A line without its comment, and with those that continue it: a backslash at the end joins
+    /// the next. A comment ends with its line, whatever that ends with: with a path, for one.
     std::optional<std::string_view> whole_line(WordScanner& lines) {
-        const auto line = lines.line();
+        auto line = lines.line();
+        if (line) line = without_comment(*line);
         if (!line || !line->ends_with('\\')) return line;
         joined_.assign(*line);
         while (joined_.ends_with('\\')) {
             joined_.back() = ' ';
             const auto more = lines.line();
             if (!more) break;
-            joined_.append(*more);
+            joined_.append(without_comment(*more));
         }
         return joined_;
     }
 
+    static std::string_view without_comment(std::string_view line) {
+        return line.substr(0, line.find('#'));
+    }
+
     Result<void> statement(std::string_view line) {
-        line = line.substr(0, line.find('#'));
         WordScanner words(line);
         const std::string_view word = words.word();
         if (word.empty()) return {};
@@ -149,10 +146,10 @@ class ObjReader {
             case Statement::Face:
                 return face(words);
             case Statement::Material:
-                MeshNotes::note(mesh_.notes.materials, words.word());
+                mesh_.notes.materials.add(rest_of(words));
                 return {};
             case Statement::Dropped:
-                MeshNotes::note(mesh_.notes.dropped, keyword->of);
+                mesh_.notes.dropped.add(keyword->of);
                 return {};
             case Statement::Nothing:
                 return {};
@@ -178,11 +175,11 @@ class ObjReader {
         return {};
     }
 
-    /// x y z, then a weight that polygons do not have, or a colour, or both.
+    /// x y z, then a weight, which polygons do not have, or a colour, or both.
     Result<void> vertex(WordScanner& words) {
         auto read = numbers(words, mesh_.positions.size(), 3, 8);
         if (!read) return read;
-        if (num_read_ >= 6) MeshNotes::note(mesh_.notes.dropped, "vertex colours");
+        if (num_read_ >= 5) mesh_.notes.dropped.add("vertex colours");
         mesh_.positions.push_back({xyz_[0], xyz_[1], xyz_[2]});
         return read;
     }
@@ -195,6 +192,14 @@ class ObjReader {
         auto read = numbers(words, mesh_.normals.size(), 3, 3);
         if (read) mesh_.normals.push_back({xyz_[0], xyz_[1], xyz_[2]});
         return read;
+    }
+
+    /// What is left of the line: names may have spaces.
+    static std::string_view rest_of(const WordScanner& words) {
+        std::string_view rest = words.rest();
+        while (!rest.empty() && is_space(rest.front())) rest.remove_prefix(1);
+        while (!rest.empty() && is_space(rest.back())) rest.remove_suffix(1);
+        return rest;
     }
 
     Result<void> face(WordScanner& words) {
@@ -239,6 +244,11 @@ class ObjReader {
         const auto n = static_cast<std::int64_t>(count);
         if (!index || *index == 0 || *index > n || *index < -n) return std::nullopt;
         return static_cast<std::uint32_t>(*index > 0 ? *index - 1 : n + *index);
+    }
+
+    [[nodiscard]] tl::unexpected<Error> refuse_without_faces() const {
+        if (mesh_.notes.dropped.empty()) return refuse_mesh("", kNoMeshFile);
+        return refuse_mesh("", "an OBJ file without faces; it has " + mesh_.notes.dropped.text());
     }
 
     [[nodiscard]] tl::unexpected<Error> refuse(const std::string& what) const {

@@ -1,156 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // The body of a PLY file: its vertices and faces.
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cstring>
-#include <limits>
+#include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "renderer/geometry/mesh_readers.h"
 #include "renderer/geometry/mesh_text.h"
 #include "renderer/geometry/ply_header.h"
+#include "renderer/geometry/ply_layout.h"
+#include "renderer/geometry/ply_source.h"
 #include "renderer/geometry/polygon_mesh.h"
 
 namespace bouguer::renderer {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "binary values are read as they stand");
-
-/// Takes values of a known type off the body of the file.
-class TextSource {
-  public:
-    explicit TextSource(const PlyHeader& header) : words_(header.body, header.body_line) {}
-
-    /// Empty: the file ends here, or what stands here is no such value.
-    std::optional<Real> value(PlyType type) {
-        const std::string_view word = words_.word();
-        if (!is_integer(type)) return parse_number<Real>(word);
-        const auto number = parse_number<std::int64_t>(word);
-        if (!number) return std::nullopt;
-        return static_cast<Real>(*number);
-    }
-    [[nodiscard]] std::string where() const {
-        return "line " + std::to_string(words_.line_number());
-    }
-    [[nodiscard]] std::string_view rest() const { return words_.rest(); }
-
-  private:
-    WordScanner words_;
-};
-
-template <bool Swap>
-class BinarySource {
-  public:
-    explicit BinarySource(const PlyHeader& header) : rest_(header.body) {}
-
-    std::optional<Real> value(PlyType type) {
-        const std::size_t size = size_of(type);
-        if (rest_.size() < size) return std::nullopt;
-        std::array<char, 8> bytes{};
-        std::memcpy(bytes.data(), rest_.data(), size);
-        if (Swap) std::reverse(bytes.data(), bytes.data() + size);
-        rest_.remove_prefix(size);
-        switch (type) {
-            case PlyType::Int8:
-                return as<std::int8_t>(bytes);
-            case PlyType::Uint8:
-                return as<std::uint8_t>(bytes);
-            case PlyType::Int16:
-                return as<std::int16_t>(bytes);
-            case PlyType::Uint16:
-                return as<std::uint16_t>(bytes);
-            case PlyType::Int32:
-                return as<std::int32_t>(bytes);
-            case PlyType::Uint32:
-                return as<std::uint32_t>(bytes);
-            case PlyType::Float32:
-                return as<float>(bytes);
-            case PlyType::Float64:
-                return as<double>(bytes);
-        }
-        return std::nullopt;
-    }
-    [[nodiscard]] std::string where() const { return {}; }
-    [[nodiscard]] std::string_view rest() const { return rest_; }
-
-  private:
-    template <class T>
-    static Real as(const std::array<char, 8>& bytes) {
-        T value{};
-        std::memcpy(&value, bytes.data(), sizeof(T));
-        return static_cast<Real>(value);
-    }
-
-    std::string_view rest_;
-};
-
-/// Where the numbers of a vertex stand among its properties.
-struct VertexLayout {
-    std::array<std::size_t, 3> position{};
-    std::optional<std::array<std::size_t, 3>> normal;
-    std::optional<std::array<std::size_t, 2>> uv;
-};
-
-template <std::size_t N>
-std::optional<std::array<std::size_t, N>> places(const PlyElement& element,
-                                                 const std::array<std::string_view, N>& names) {
-    std::array<std::size_t, N> found{};
-    for (std::size_t i = 0; i < N; ++i) {
-        const auto place = element.scalar(names[i]);
-        if (!place) return std::nullopt;
-        found[i] = *place;
-    }
-    return found;
-}
-
-/// The names that writers give to texture coordinates.
-using UvNames = std::array<std::string_view, 2>;
-constexpr std::array kUvNames{UvNames{"u", "v"},
-                              UvNames{"s", "t"},
-                              UvNames{"texture_u", "texture_v"},
-                              UvNames{"texture_s", "texture_t"},
-                              UvNames{"texcoord_u", "texcoord_v"},
-                              UvNames{"tu", "tv"}};
-
-std::optional<VertexLayout> layout_of(const PlyElement& element) {
-    VertexLayout layout;
-    const auto position = places<3>(element, {"x", "y", "z"});
-    if (!position) return std::nullopt;
-    layout.position = *position;
-    layout.normal = places<3>(element, {"nx", "ny", "nz"});
-    for (const UvNames& names : kUvNames) {
-        if (!layout.uv) layout.uv = places<2>(element, names);
-    }
-    return layout;
-}
-
-bool is_face_list(const PlyProperty& property) {
-    return property.list_size && is_integer(property.type) &&
-           (property.name == "vertex_indices" || property.name == "vertex_index");
-}
-
-/// Texture coordinates by corner, u v u v ..., as MeshLab and Blender write them.
-bool is_uv_list(const PlyProperty& property) {
-    return property.list_size &&
-           (property.name == "texcoord" || property.name == "texture_coordinates");
-}
-
-/// What a property that is not read would have been, in words; empty for what says nothing about
-/// the surface.
-std::string dropped_name(std::string_view element, const PlyProperty& property) {
-    constexpr std::array<std::string_view, 6> kColours{"red", "green", "blue", "r", "g", "b"};
-    constexpr std::array<std::string_view, 5> kNothing{"texnumber", "flags", "quality", "alpha",
-                                                       "intensity"};
-    const auto is_in = [&](const auto& names) {
-        return std::find(names.begin(), names.end(), property.name) != names.end();
-    };
-    if (is_in(kNothing)) return {};
-    if (is_in(kColours) || property.name.starts_with("diffuse_"))
-        return element == "face" ? "face colours" : "vertex colours";
-    return std::string(element) + " property " + quoted(property.name);
-}
+bool is_finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 
 template <class Source>
 class BodyReader {
@@ -173,89 +39,79 @@ class BodyReader {
             return refuse_mesh(source_.where(), "more follows the last element");
         }
         if (mesh_.sizes.empty()) return refuse_mesh("", "no face of three corners");
-        mesh_.uvs.insert(mesh_.uvs.end(), list_uvs_.begin(), list_uvs_.end());
+        mesh_.uvs.insert(mesh_.uvs.end(), corner_uvs_.begin(), corner_uvs_.end());
         return triangle_mesh(std::move(mesh_), limits_);
     }
 
   private:
     /// That there are vertices and faces, and not too many, before anything is reserved.
     Result<void> check_elements() {
-        bool has_faces = false;
+        const PlyElement* faces = nullptr;
         for (const PlyElement& element : header_.elements) {
             if (element.name == "vertex") {
                 num_vertices_ = element.count;
-                const auto layout = layout_of(element);
+                const auto layout = vertex_layout(element);
                 if (!layout) return refuse_mesh("element \"vertex\"", "x, y or z is missing");
-                layout_ = *layout;
-                note_dropped(element);
+                vertex_ = *layout;
+                note_unread(element, vertex_, mesh_.notes.dropped);
             } else if (element.name == "face") {
-                has_faces =
-                    std::any_of(element.properties.begin(), element.properties.end(), is_face_list);
-                for (const PlyProperty& p : element.properties) {
-                    if (!is_face_list(p) && !is_uv_list(p)) note_dropped(element.name, p);
-                }
+                faces = &element;
             } else {
-                MeshNotes::note(mesh_.notes.dropped, "elements " + quoted(element.name));
+                mesh_.notes.dropped.add("elements " + quoted(element.name));
             }
         }
         if (auto few = check_ply_counts(header_, limits_); !few) return few;
         if (num_vertices_ == 0) return refuse_mesh("", "no vertices");
-        if (!has_faces) return refuse_mesh("", "no faces with a list \"vertex_indices\"");
+        const auto layout =
+            faces != nullptr ? face_layout(*faces, vertex_.normal.has_value()) : std::nullopt;
+        if (!layout) return refuse_mesh("", "no faces with a list \"vertex_indices\"");
+        face_ = *layout;
+        note_unread(*faces, face_, mesh_.notes.dropped);
         return {};
-    }
-
-    void note_dropped(std::string_view element, const PlyProperty& property) {
-        const std::string name = dropped_name(element, property);
-        if (!name.empty()) MeshNotes::note(mesh_.notes.dropped, name);
-    }
-
-    void note_dropped(const PlyElement& vertex) {
-        const auto is_read = [&](std::size_t k) {
-            const auto has = [&](const auto& at) {
-                return std::find(at.begin(), at.end(), k) != at.end();
-            };
-            return has(layout_.position) || (layout_.normal && has(*layout_.normal)) ||
-                   (layout_.uv && has(*layout_.uv));
-        };
-        for (std::size_t k = 0; k < vertex.properties.size(); ++k) {
-            if (!is_read(k)) note_dropped(vertex.name, vertex.properties[k]);
-        }
     }
 
     Result<void> vertices(const PlyElement& element) {
         mesh_.positions.reserve(element.count);
-        if (layout_.normal) mesh_.normals.reserve(element.count);
-        if (layout_.uv) mesh_.uvs.reserve(element.count);
-        std::vector<Real> values(element.properties.size());
+        if (vertex_.normal) mesh_.normals.reserve(element.count);
+        if (vertex_.uv) mesh_.uvs.reserve(element.count);
+        values_.resize(element.properties.size());
         for (std::uint64_t i = 0; i < element.count; ++i) {
-            for (std::size_t k = 0; k < values.size(); ++k) {
+            for (std::size_t k = 0; k < values_.size(); ++k) {
                 const auto value = property(element.properties[k]);
                 if (!value) return refuse(element, i);
-                values[k] = *value;
+                values_[k] = *value;
             }
-            mesh_.positions.push_back(vec3(values, layout_.position));
-            if (layout_.normal) mesh_.normals.push_back(vec3(values, *layout_.normal));
-            if (layout_.uv)
-                mesh_.uvs.push_back({values[(*layout_.uv)[0]], values[(*layout_.uv)[1]]});
+            mesh_.positions.push_back(value_of(vertex_.position));
+            if (vertex_.normal) mesh_.normals.push_back(value_of(*vertex_.normal));
+            if (vertex_.uv)
+                mesh_.uvs.push_back({values_[(*vertex_.uv)[0]], values_[(*vertex_.uv)[1]]});
+            const bool is_good = is_finite(mesh_.positions.back()) &&
+                                 (!vertex_.normal || is_finite(mesh_.normals.back())) &&
+                                 (!vertex_.uv || is_finite(mesh_.uvs.back()));
+            if (!is_good) return refuse(element, i, "not finite");
         }
         return {};
     }
 
-    static Vec3 vec3(const std::vector<Real>& values, const std::array<std::size_t, 3>& at) {
-        return {values[at[0]], values[at[1]], values[at[2]]};
+    [[nodiscard]] Vec3 value_of(const std::array<std::size_t, 3>& at) const {
+        return {values_[at[0]], values_[at[1]], values_[at[2]]};
     }
 
     Result<void> faces(const PlyElement& element) {
+        values_.resize(element.properties.size());
         for (std::uint64_t i = 0; i < element.count; ++i) {
             const std::size_t first = mesh_.corners.size();
-            uv_list_.clear();
-            for (const PlyProperty& p : element.properties) {
-                if (is_face_list(p)) {
+            uvs_.clear();
+            for (std::size_t k = 0; k < values_.size(); ++k) {
+                const PlyProperty& p = element.properties[k];
+                if (k == face_.corners) {
                     if (auto read = corners(element, i, p); !read) return read;
-                } else if (is_uv_list(p)) {
-                    if (!numbers(p)) return refuse(element, i);
-                } else if (!property(p)) {
-                    return refuse(element, i);
+                } else if (k == face_.uvs) {
+                    if (auto read = uv_list(element, i, p); !read) return read;
+                } else {
+                    const auto value = property(p);
+                    if (!value) return refuse(element, i);
+                    values_[k] = *value;
                 }
             }
             if (auto ended = end_face(element, i, first); !ended) return ended;
@@ -273,52 +129,67 @@ class BodyReader {
                 return refuse(element, i, "no such vertex");
             }
             const auto v = static_cast<std::uint32_t>(*index);
-            mesh_.corners.push_back({v, layout_.uv ? v : PolygonCorner::kNone,
-                                     layout_.normal ? v : PolygonCorner::kNone});
+            mesh_.corners.push_back({v, vertex_.uv ? v : PolygonCorner::kNone,
+                                     vertex_.normal ? v : PolygonCorner::kNone});
             if (mesh_.corners.size() > 3 * limits_.max_triangles + 2 * mesh_.sizes.size())
                 return refuse(element, i, "more triangles than allowed");
         }
         return {};
     }
 
-    /// Into uv_list_.
-    bool numbers(const PlyProperty& list) {
+    /// Into uvs_, in pairs.
+    Result<void> uv_list(const PlyElement& element, std::uint64_t i, const PlyProperty& list) {
         const auto size = source_.value(*list.list_size);
-        if (!size || *size < 0) return false;
+        if (!size || *size < 0) return refuse(element, i);
         for (Real k = 0; k < *size; ++k) {
             const auto value = source_.value(list.type);
-            if (!value) return false;
-            uv_list_.push_back(*value);
+            if (!value) return refuse(element, i);
+            if (!std::isfinite(*value)) return refuse(element, i, "not finite");
+            uvs_.push_back(*value);
         }
-        return true;
+        return {};
     }
 
-    /// Joins the corners from `first` on to a polygon with the coordinates of uv_list_. What has
-    /// fewer than three is no face: it is counted.
+    /// Makes a polygon of the corners from `first` on. What has fewer than three is no face: it is
+    /// counted.
     Result<void> end_face(const PlyElement& element, std::uint64_t i, std::size_t first) {
         const std::size_t size = mesh_.corners.size() - first;
         if (size < 3) {
             mesh_.corners.resize(first);
-            MeshNotes::note(mesh_.notes.dropped, "faces of one or two corners");
+            mesh_.notes.dropped.add("faces of one or two corners");
+            ++mesh_.small_faces;
             return {};
         }
-        if (!uv_list_.empty()) {
-            if (uv_list_.size() != 2 * size)
-                return refuse(element, i, "texture coordinates are not two a corner");
-            for (std::size_t k = 0; k < size; ++k) {
-                mesh_.corners[first + k].vt =
-                    static_cast<std::uint32_t>(num_vertex_uvs() + list_uvs_.size());
-                list_uvs_.push_back({uv_list_[2 * k], uv_list_[2 * k + 1]});
-            }
+        if (auto read = corner_uvs(element, i, first); !read) return read;
+        if (face_.normal) {
+            const Vec3 n = value_of(*face_.normal);
+            if (!is_finite(n)) return refuse(element, i, "not finite");
+            for (std::size_t k = first; k < mesh_.corners.size(); ++k)
+                mesh_.corners[k].vn = static_cast<std::uint32_t>(mesh_.normals.size());
+            mesh_.normals.push_back(n);
         }
+        if (face_.texture && values_[*face_.texture] != 0)
+            mesh_.notes.dropped.add("numbers of textures: all faces have one");
         mesh_.sizes.push_back(static_cast<std::uint32_t>(size));
         if (mesh_.num_triangles() > limits_.max_triangles)
             return refuse(element, i, "more triangles than allowed");
         return {};
     }
 
-    /// Texture coordinates of faces stand behind those of vertices, which may come later.
-    [[nodiscard]] std::uint64_t num_vertex_uvs() const { return layout_.uv ? num_vertices_ : 0; }
+    /// Gives the coordinates in uvs_ to the corners from `first` on.
+    Result<void> corner_uvs(const PlyElement& element, std::uint64_t i, std::size_t first) {
+        if (uvs_.empty()) return {};
+        if (uvs_.size() != 2 * (mesh_.corners.size() - first))
+            return refuse(element, i, "texture coordinates are not two a corner");
+        // They come behind those of vertices, which may follow later.
+        const std::uint64_t of_vertices = vertex_.uv ? num_vertices_ : 0;
+        for (std::size_t k = 0; 2 * k < uvs_.size(); ++k) {
+            mesh_.corners[first + k].vt =
+                static_cast<std::uint32_t>(of_vertices + corner_uvs_.size());
+            corner_uvs_.push_back({uvs_[2 * k], uvs_[2 * k + 1]});
+        }
+        return {};
+    }
 
     Result<void> others(const PlyElement& element) {
         for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -354,11 +225,13 @@ class BodyReader {
     const PlyHeader& header_;
     MeshLimits limits_;
     Source source_;
-    VertexLayout layout_;
+    PlyVertexLayout vertex_;
+    PlyFaceLayout face_;
     std::uint64_t num_vertices_ = 0;
     PolygonMesh mesh_;
-    std::vector<Real> uv_list_;   ///< of one face
-    std::vector<Vec2> list_uvs_;  ///< of all faces
+    std::vector<Real> values_;      ///< of one vertex or face
+    std::vector<Real> uvs_;         ///< of one face's corners
+    std::vector<Vec2> corner_uvs_;  ///< of all faces'
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 // transform.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -45,25 +44,32 @@ struct Cylinder {
     Real radius = 1;
 };
 
+/// Names that came up, each once; of very many the first, and of long ones the beginning.
+class NameList {
+  public:
+    void add(std::string_view name);
+    [[nodiscard]] bool empty() const { return names_.empty(); }
+    /// In the order in which they came, with commas between; "..." stands for those left out.
+    [[nodiscard]] std::string text() const;
+
+  private:
+    std::vector<std::string> names_;
+    bool has_more_ = false;
+};
+
 /// What a mesh file had beside the triangles that were made of it.
 struct MeshNotes {
-    std::vector<std::string> materials;       ///< that the file's `usemtl` names; each once
-    std::vector<std::string> dropped;         ///< kinds of things that were left out, in words
+    NameList materials;                       ///< that `usemtl` names
+    NameList dropped;                         ///< kinds of things that were left out, in words
     std::uint64_t triangles_without_uvs = 0;  ///< in a mesh of which others have them
     std::uint64_t crossed_polygons = 0;       ///< whose border crosses itself
-
-    /// Adds to a list what it does not have; of very many the first.
-    static void note(std::vector<std::string>& list, std::string_view what) {
-        constexpr std::size_t kMost = 32;
-        if (list.size() < kMost && std::find(list.begin(), list.end(), what) == list.end())
-            list.emplace_back(what);
-    }
 };
 
 /// How the surface of a mesh hangs together, and what was mended (see mesh_topology.h).
 struct MeshTopology {
-    bool is_closed = false;  ///< has an inside
-    std::uint64_t open_edges = 0;
+    bool is_closed = false;               ///< has an inside
+    bool is_one_sided = false;            ///< as a Moebius strip and a Klein bottle are
+    std::uint64_t open_edges = 0;         ///< where the surface ends, or does not go on in pairs
     std::uint64_t flipped_triangles = 0;  ///< turned round, to wind as the others or outwards
     std::uint64_t doubled_triangles = 0;  ///< in the place of another; left out
 };
@@ -76,6 +82,9 @@ struct TriangleMesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::uint64_t dropped_triangles =
         0;  ///< of zero area or with equal corners, left out when the mesh was read
+    /// Of those left out, the ones with three corners: no ray meets them, but where a corner lies
+    /// on the edge of another triangle they close the gap (see mesh_topology.h).
+    std::vector<std::array<std::uint32_t, 3>> flat_triangles;
     MeshNotes notes;
     std::optional<MeshTopology> topology;  ///< of a mesh that was mended
 };

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -165,11 +166,41 @@ TEST(MeshFile, MakesNormalsUnit) {
 TEST(MeshFile, KnowsTheStatementsOfObj) {
     const Mesh mesh = read(
         "\xEF\xBB\xBFmtllib a.mtl\nmg 1 0.5\nbevel on\nv 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
-        "usemtl red wine\nf 1 2 \\\n  3 4\nusemtl blue\nl 1 2\np 1\ncstype bezier\ndeg 3\n");
-    EXPECT_EQ(mesh->triangles.size(), 2U);
-    EXPECT_EQ(mesh->notes.materials, (std::vector<std::string>{"red", "blue"}));
-    EXPECT_EQ(mesh->notes.dropped, (std::vector<std::string>{"vertex colours", "lines", "points",
-                                                             "curves and surfaces"}));
+        "usemtl red wine\nf 1 2 \\\n  3 4\nusemtl blue\nl 1 2\np 1\ncstype bezier\ndeg 3\n"
+        "usemtl red wine\n");
+    expect_square(*mesh);
+    EXPECT_EQ(mesh->notes.materials.text(), "red wine, blue");
+    EXPECT_EQ(mesh->notes.dropped.text(), "vertex colours, lines, points, curves and surfaces");
+}
+
+// The backslash of a path at the end of a comment does not join the next line to it.
+TEST(MeshFile, EndsObjCommentsWithTheirLine) {
+    expect_square(
+        *read("# from C:\\models\\\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 \\\r\n 3 # \\\nf 1 3 "
+              "\\\n4\n"));
+}
+
+TEST(MeshFile, LeavesOutWhatCornersOfObjLeaveEmpty) {
+    const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
+    expect_square(*read(square + "f 1/ 2/ 3/ 4/\n"));
+    expect_square(*read(square + "f 1// 2// 3// 4//\n"));
+    const Mesh mesh = read(square + "f 1/1/ 2/1/ 3/1/ 4/1/\n");
+    EXPECT_EQ(mesh->uvs.size(), 4U);
+    EXPECT_TRUE(mesh->normals.empty());
+}
+
+// Of many names the first are kept, and of long ones the beginning; none reaches a terminal raw.
+TEST(MeshFile, ShortensListsOfNames) {
+    NameList names;
+    names.add(std::string(1000, 'x'));
+    EXPECT_LT(names.text().size(), 70U);
+    NameList many;
+    for (int i = 0; i < 1000; ++i) many.add("material " + std::to_string(i));
+    EXPECT_LT(many.text().size(), 500U);
+    EXPECT_TRUE(many.text().ends_with(", ..."));
+    NameList odd;
+    odd.add("\x1b[2J");
+    EXPECT_EQ(odd.text(), "?[2J");
 }
 
 TEST(MeshFile, ReadsPlyCoordinatesByCornerAndNamesTheRest) {
@@ -181,7 +212,88 @@ TEST(MeshFile, ReadsPlyCoordinatesByCornerAndNamesTheRest) {
         "3 0 1 2 6 0 0 1 0 1 0.5 0\n");
     ASSERT_EQ(mesh->uvs.size(), 3U);
     EXPECT_EQ(mesh->uvs[mesh->triangles[0][2]], (Vec2{1, 0.5}));
-    EXPECT_EQ(mesh->notes.dropped, (std::vector<std::string>{"vertex colours"}));
+    EXPECT_EQ(mesh->notes.dropped.text(), "vertex colours");
+}
+
+const std::string kPlyVertices =
+    "ply\r\nformat ascii 1.0\nobj_info by hand\nelement vertex 4\nproperty float x\n"
+    "property float y\nproperty float z\n";
+
+// Blender, MeshLab and others do not agree on the names.
+TEST(MeshFile, KnowsTheNamesOfPlyCoordinates) {
+    for (const auto& [u, v] : {std::pair{"u", "v"},
+                               {"s", "t"},
+                               {"texture_u", "texture_v"},
+                               {"texture_s", "texture_t"}}) {
+        const Mesh mesh =
+            read("\xEF\xBB\xBF" + kPlyVertices + "property float " + u + "\nproperty float " + v +
+                 "\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
+                 "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 0.5\n0 1 0 0 1\n4 0 1 2 3\n");
+        expect_square(*mesh);
+        ASSERT_EQ(mesh->uvs.size(), 4U) << u;
+        EXPECT_EQ(mesh->uvs[2], (Vec2{1, 0.5}));
+    }
+}
+
+// Two triangles whose own normals differ where they meet: six vertices. Faces of two corners are
+// counted, and what else there is, is named.
+TEST(MeshFile, ReadsPlyNormalsByFaceAndCountsFacesThatAreNone) {
+    const Mesh mesh =
+        read(kPlyVertices +
+             "property float quality\nelement face 3\nproperty float nx\n"
+             "property float ny\nproperty float nz\nproperty list uchar int vertex_index\n"
+             "property uchar alpha\nproperty int texnumber\nelement edge 1\nproperty int vertex1\n"
+             "end_header\n0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0 1\n0 0 2 3 0 1 2 255 0\n"
+             "0 0 1 2 0 1 255 0\n0 3 4 3 0 2 3 255 1\n7\n");
+    ASSERT_EQ(mesh->normals.size(), 6U);
+    EXPECT_EQ(mesh->normals[mesh->triangles[0][0]], (Vec3{0, 0, 1}));
+    EXPECT_NEAR(mesh->normals[mesh->triangles[1][0]].y, 0.6, 1e-15);
+    EXPECT_EQ(mesh->dropped_triangles, 1U);
+    EXPECT_EQ(mesh->notes.dropped.text(),
+              "vertex property \"quality\", elements \"edge\", face colours, faces of one or two "
+              "corners, numbers of textures: all faces have one");
+}
+
+// A vertex whose normal has no length gets the mean of its triangles'.
+TEST(CheckedMesh, MendsNormalsWithoutLength) {
+    TriangleMesh roof;
+    roof.positions = {{0, 0, 0}, {0, 1, 0}, {-1, 0, -1}, {1, 0, -1}};
+    roof.triangles = {{0, 1, 2}, {1, 0, 3}};
+    roof.normals = {{0, 0, 0}, {0, 0, 0}, {-3, 0, 3}, {0, 0, 0}};
+    const auto mesh = checked_mesh(roof);
+    ASSERT_TRUE(mesh);
+    const Real half = std::sqrt(0.5);
+    const std::vector<Vec3> expected{{0, 0, 1}, {0, 0, 1}, {-half, 0, half}, {half, 0, half}};
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_NEAR(length((*mesh)->normals[i] - expected[i]), 0, 1e-15) << i;
+}
+
+TEST(MeshFile, CutsConcavePolygonsOfBothFormats) {
+    const std::string ell = "0.5 -0.5 0\n0.5 0 0\n0 0 0\n0 0.5 0\n-0.5 0.5 0\n-0.5 -0.5 0\n";
+    std::string obj;
+    for (std::size_t at = 0; at < ell.size();) {
+        const std::size_t end = ell.find('\n', at);
+        obj += "v " + ell.substr(at, end + 1 - at);
+        at = end + 1;
+    }
+    const std::string ply_file =
+        "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+        ell + "6 0 1 2 3 4 5\n";
+    for (const std::string& bytes : {obj + "f 1 2 3 4 5 6\n", ply_file}) {
+        const Mesh mesh = read(bytes);
+        Real area = 0;
+        for (const auto& [a, b, c] : mesh->triangles) {
+            const auto& p = mesh->positions;
+            area += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
+        }
+        EXPECT_NEAR(area, 0.75, 1e-15);
+    }
+}
+
+TEST(MeshFile, CountsPolygonsThatCrossThemselves) {
+    const Mesh mesh = read("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 1 0\nf 1 2 3 4\n");
+    EXPECT_EQ(mesh->notes.crossed_polygons, 1U);
 }
 
 // Equal corners; corners on a line; a triangle of height 1e-9, which has an area.
@@ -278,6 +390,14 @@ std::vector<Malformed> malformed_files() {
          "line 11, vertex 1: not a value"},
         {"vertex is nan", ply(kAscii + kVertex + kFace, "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2"),
          "vertex 1: not finite"},
+        {"normal is nan",
+         ply(kAscii + kVertex + "property float nx\nproperty float ny\nproperty float nz\n" + kFace,
+             "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 nan 0 1\n3 0 1 2"),
+         "vertex 2: not finite"},
+        {"five coordinates for three corners",
+         ply(kAscii + kVertex + kFace + "property list uchar float texcoord\n",
+             kCorner + "3 0 1 2 5 0 0 1 0 1"),
+         "face 0: texture coordinates are not two a corner"},
         {"vertex beyond double", ply(kAscii + kVertex + kFace, "0 0 1e999\n1 0 0\n0 1 0\n3 0 1 2"),
          "vertex 0"},
         {"face cut short", ply(kAscii + kVertex + kFace, kCorner + "3 0 1"), "face 0"},
@@ -298,6 +418,7 @@ std::vector<Malformed> malformed_files() {
         {"all triangles without area", ply(kAscii + kVertex + kFace, kCorner + "3 0 1 1"),
          "no triangle that has an area"},
         {"obj without faces", kObj, "faces"},
+        {"obj of lines", kObj + "l 1 2 3\n", "an OBJ file without faces; it has lines"},
         {"obj face before its vertices", "f 1 2 3\n" + kObj, "line 1"},
         {"obj index 0", kObj + "f 0 1 2\n", "line 4: no such corner"},
         {"obj index too large", kObj + "f 1 2 4\n", "line 4: no such corner"},

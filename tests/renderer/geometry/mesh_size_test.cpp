@@ -62,6 +62,20 @@ TEST(MeshSize, OfAnObjIsCounted) {
     EXPECT_EQ(refusal(obj, {10, 2}), "line 10: more triangles than allowed");
 }
 
+// A line that a backslash continues is one, and the backslash no word; not so in a comment.
+TEST(MeshSize, OfAnObjIsThatOfJoinedLines) {
+    for (const std::string end : {"\n", "\r\n"}) {
+        std::string bytes =
+            "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\n# C:\\\nv 1 1 0\nv 0 1 0\nf 1 2 \\\n3\\\n 4 \\\n\n";
+        for (std::size_t at = 0; (at = bytes.find('\n', at)) != std::string::npos; at += end.size())
+            bytes.replace(at, 1, end);
+        const auto size = read_mesh_size(MemorySource(bytes));
+        ASSERT_TRUE(size);
+        EXPECT_EQ(size->vertices, 4U);
+        EXPECT_EQ(size->triangles, 2U);
+    }
+}
+
 // Lines that the pieces of the file cut in two count once.
 TEST(MeshSize, OfALargeObjIsThatOfItsLines) {
     std::string obj;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "renderer/geometry/orientation.h"
+
 namespace bouguer::renderer {
 namespace {
 
@@ -77,6 +79,72 @@ TEST(PolygonTriangulation, CoversRandomStars) {
     }
 }
 
+// A square with a square hole, as one polygon with a slit to it: 4 - 1.
+TEST(PolygonTriangulation, CoversAPolygonWithASlitToItsHole) {
+    expect_covered({{0, 0, 0},
+                    {2, 0, 0},
+                    {2, 2, 0},
+                    {0, 2, 0},
+                    {0, 0, 0},
+                    {0.5, 0.5, 0},
+                    {0.5, 1.5, 0},
+                    {1.5, 1.5, 0},
+                    {1.5, 0.5, 0},
+                    {0.5, 0.5, 0}});
+}
+
+// In a plane that is along no axis, with corners on its sides that rounding moves off them.
+TEST(PolygonTriangulation, CoversSlantedPolygons) {
+    const std::vector<Vec3> ell{{0, 0, 0},     {0.3, 0, 0}, {1, 0, 0}, {1, 0.5, 0}, {0.7, 0.5, 0},
+                                {0.5, 0.5, 0}, {0.5, 1, 0}, {0, 1, 0}, {0, 0.1, 0}};
+    const Frame frame(normalize(Vec3{0.3, -0.5, 0.4}));
+    for (std::size_t first = 0; first < ell.size(); ++first) {
+        std::vector<Vec3> p;
+        for (std::size_t i = 0; i < ell.size(); ++i)
+            p.push_back(Vec3{100, 200, -50} + frame.to_world(ell[(first + i) % ell.size()]));
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+        EXPECT_EQ(PolygonCutter().cut(p, triangles), PolygonFault::None);
+        Vec3 sum;
+        Real area = 0;
+        for (const auto& [a, b, c] : triangles) {
+            const Vec3 part = 0.5 * cross(p[b] - p[a], p[c] - p[a]);
+            sum += part;
+            area += length(part);
+        }
+        EXPECT_NEAR(dot(sum, frame.z), 0.75, 1e-12) << first;
+        EXPECT_NEAR(area, 0.75, 1e-12) << "nothing is covered twice";
+    }
+}
+
+// No triangle without an area is made where one with an area can be.
+TEST(PolygonTriangulation, MakesNoFlatTriangleOfCornersOnStraightBorders) {
+    std::vector<Vec3> p{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}};
+    for (std::size_t first = 0; first < p.size(); ++first) {
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+        PolygonCutter().cut(p, triangles);
+        for (const auto& [a, b, c] : triangles)
+            EXPECT_GT(cross(p[b] - p[a], p[c] - p[a]).z, 0.5) << first;
+        std::rotate(p.begin(), p.begin() + 1, p.end());
+    }
+}
+
+// Of a quad that is bent, the diagonal inside is taken: over the corner that is drawn in.
+TEST(PolygonTriangulation, CutsBentDartsInside) {
+    expect_covered({{0, 0, 0.1}, {2, 1, -0.1}, {0, 2, 0.2}, {0.5, 1, 0}});
+}
+
+TEST(PolygonTriangulation, RefusesVeryManyCornersThatAreNotConvex) {
+    std::vector<Vec3> star;
+    for (std::size_t i = 0; i <= kMaxConcaveCorners; ++i) {
+        const Real angle = 2 * kPi * static_cast<Real>(i) / (kMaxConcaveCorners + 1.0);
+        const Real r = i % 2 == 0 ? 1 : 2;
+        star.push_back({r * std::cos(angle), r * std::sin(angle), 0});
+    }
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    EXPECT_EQ(PolygonCutter().cut(star, triangles), PolygonFault::TooManyCorners);
+    EXPECT_TRUE(triangles.empty());
+}
+
 TEST(PolygonTriangulation, LeavesConvexPolygonsAsFans) {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     const std::vector<Vec3> square{{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}};
@@ -89,6 +157,20 @@ TEST(PolygonTriangulation, SaysWhatCrossesItself) {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     const std::vector<Vec3> bow{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 1, 0}};
     EXPECT_EQ(PolygonCutter().cut(bow, triangles), PolygonFault::NotSimple);
+    std::vector<Vec3> star;  // turns left at every corner, and goes round twice
+    for (int i = 0; i < 5; ++i)
+        star.push_back({std::cos(0.8 * kPi * i), std::sin(0.8 * kPi * i), 0});
+    EXPECT_EQ(PolygonCutter().cut(star, triangles), PolygonFault::NotSimple);
+}
+
+// The sign of 2^-52 on coordinates of 12: products alone would round it away.
+TEST(Orientation, IsNeverWrong) {
+    const Real ulp = 0x1p-52;
+    for (const Real step : {-ulp, 0.0, ulp}) {
+        const Real area = orientation({0.5 + step, 0.5}, {12, 12}, {24, 24});
+        EXPECT_EQ(area > 0, step < 0) << step;
+        EXPECT_EQ(area<0, step> 0) << step;
+    }
 }
 
 }  // namespace
