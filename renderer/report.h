@@ -77,7 +77,7 @@ struct Health {
     std::uint64_t medium_stack_overflows = 0;  ///< more bodies inside each other than are tracked
     std::uint64_t shadow_rays_cut = 0;    ///< shadow rays that met more surfaces than are followed
     std::uint64_t total_reflections = 0;  ///< for information
-    std::uint64_t dropped_triangles = 0;  ///< zero area, left out of the scene
+    std::uint64_t dropped_triangles = 0;  ///< of zero area or doubled, left out
     std::optional<UnfinishedPass> unfinished_pass;  ///< that the picture is of; empty: a whole one
     [[nodiscard]] std::uint64_t rejected_total() const {
         return rejected_nan + rejected_infinite + rejected_negative;

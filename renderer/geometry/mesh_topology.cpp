@@ -3,239 +3,242 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <tuple>
+#include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
-#include "renderer/geometry/bounds.h"
+#include "renderer/geometry/mesh_edges.h"
+#include "renderer/geometry/mesh_nesting.h"
+#include "renderer/geometry/winding_sets.h"
 
 namespace bouguer::renderer {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
+using Sides = std::span<const TriangleSide>;
 
-/// For every vertex the first one at the same position.
-std::vector<std::uint32_t> welded(const std::vector<Vec3>& positions) {
-    std::vector<std::uint32_t> order(positions.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto key = [&](std::uint32_t i) {
-        const Vec3 p = positions[i];
-        return std::tuple(p.x, p.y, p.z);
-    };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    std::vector<std::uint32_t> first(positions.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool is_same = i > 0 && positions[order[i]] == positions[order[i - 1]];
-        first[order[i]] = is_same ? first[order[i - 1]] : order[i];
-    }
-    return first;
-}
-
-/// One side of a triangle, from the lower to the higher vertex.
-struct Side {
-    std::uint32_t low, high, triangle;
-    bool runs_up;
-};
-
-/// How much of the piece's outline winds which way.
+/// What is known of a piece: triangles that hang together.
 struct Piece {
-    Bounds bounds;
-    Real volume = 0;  ///< six times it; negative when wound inside out
-    std::uint32_t first = 0;
+    bool is_closed = true;
+    std::uint64_t triangles = 0, turned = 0;
+    Real volume = 0;     ///< six times it, as the first triangle winds
+    Real magnitude = 0;  ///< of what was added up
+    Vec3 origin;
+
+    void add(const std::array<Vec3, 3>& corners, bool is_turned) {
+        if (triangles++ == 0) origin = corners[0];
+        if (is_turned) ++turned;
+        const Real part = dot(corners[0] - origin, cross(corners[1] - origin, corners[2] - origin));
+        volume += is_turned ? -part : part;
+        magnitude += std::abs(part);
+    }
+    /// Whether most triangles stand against the first.
+    [[nodiscard]] bool first_is_odd() const { return 2 * turned > triangles; }
+    /// Whether it is inside out, as most of its triangles wind.
+    [[nodiscard]] bool is_inside_out() const {
+        const Real least = 64 * std::numeric_limits<Real>::epsilon() * magnitude;
+        return first_is_odd() ? volume > least : volume < -least;
+    }
 };
 
 class Topology {
   public:
     explicit Topology(const TriangleMesh& mesh) : mesh_(mesh) {
-        first_at_ = welded(mesh.positions);
+        const auto first = welded(mesh.positions);
+        corners_.reserve(mesh.triangles.size() + mesh.flat_triangles.size());
+        for (const auto* list : {&mesh.triangles, &mesh.flat_triangles}) {
+            for (const Triangle& t : *list)
+                corners_.push_back({first[t[0]], first[t[1]], first[t[2]]});
+        }
+        kept_.assign(corners_.size(), true);
+        sets_ = WindingSets(corners_.size());
     }
 
     std::shared_ptr<const TriangleMesh> mend() {
-        drop_doubled();
-        find_sides();
-        MeshTopology& topology = mesh_.topology.emplace();
-        topology.doubled_triangles = doubled_;
-        topology.open_edges = open_edges_;
-        topology.is_closed = open_edges_ == 0 && wind_alike();
-        if (topology.is_closed) {
-            turn_outwards();
-            for (std::size_t i = 0; i < flipped_.size(); ++i) {
-                if (!flipped_[i]) continue;
-                std::swap(mesh_.triangles[i][1], mesh_.triangles[i][2]);
-                ++topology.flipped_triangles;
-            }
-        }
+        leave_out_doubled();
+        find_pieces();
+        turn_outwards();
+        put_together();
         return std::make_shared<const TriangleMesh>(std::move(mesh_));
     }
 
   private:
-    [[nodiscard]] std::uint32_t corner(std::size_t triangle, std::size_t k) const {
-        return first_at_[mesh_.triangles[triangle][k]];
+    [[nodiscard]] std::vector<TriangleSide> sides() const {
+        return sorted_sides(corners_, kept_, mesh_.positions.size());
     }
 
-    void drop_doubled() {
-        std::vector<std::pair<Triangle, std::uint32_t>> sorted;
-        for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
-            Triangle key{corner(i, 0), corner(i, 1), corner(i, 2)};
+    void leave_out_doubled() {
+        std::vector<std::pair<Triangle, std::uint32_t>> order;
+        order.reserve(corners_.size());
+        for (const Triangle& triangle : corners_) {
+            Triangle key = triangle;
             std::sort(key.begin(), key.end());
-            sorted.emplace_back(key, i);
+            order.emplace_back(key, static_cast<std::uint32_t>(order.size()));
         }
-        std::sort(sorted.begin(), sorted.end());
-        std::vector<bool> is_doubled(mesh_.triangles.size());
-        for (std::size_t i = 1; i < sorted.size(); ++i) {
-            if (sorted[i].first != sorted[i - 1].first) continue;
-            is_doubled[sorted[i].second] = true;
-            ++doubled_;
+        std::sort(order.begin(), order.end());
+        std::vector<std::uint32_t> in_pairs;  // the first of each place that has an even number
+        for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
+            if (order[i].first != order[first].first) first = i;
+            if (i > first) kept_[order[i].second] = false;
+            const bool is_last = i + 1 == order.size() || order[i + 1].first != order[i].first;
+            if (is_last && (i - first) % 2 != 0) in_pairs.push_back(order[first].second);
         }
-        if (doubled_ == 0) return;
+        if (!in_pairs.empty()) dissolve_walls(in_pairs);
+    }
+
+    /// Leaves out triangles that lie in one place in pairs altogether, wherever what hangs together
+    /// is open with them and closed without.
+    void dissolve_walls(const std::vector<std::uint32_t>& in_pairs) {
+        WindingSets together(corners_.size());
+        const auto before = sides();
+        for_each_edge(before, [&](Sides edge) {
+            for (const TriangleSide& side : edge)
+                together.join(edge[0].triangle, side.triangle, false);
+        });
+        const auto open_sets = [&](const std::vector<TriangleSide>& all) {
+            std::vector<bool> is_open(corners_.size());
+            for_each_edge(all, [&](Sides edge) {
+                if (edge.size() % 2 != 0) is_open[together.find(edge[0].triangle).set] = true;
+            });
+            return is_open;
+        };
+        const auto set_of = [&](std::uint32_t t) { return together.find(t).set; };
+        const auto is_open = open_sets(before);
+        for (const std::uint32_t t : in_pairs) kept_[t] = kept_[t] && !is_open[set_of(t)];
+        const auto is_still_open = open_sets(sides());
+        std::vector<bool> is_left(corners_.size());
+        for (std::uint32_t t = 0; t < corners_.size(); ++t) {
+            if (kept_[t]) is_left[set_of(t)] = true;
+        }
+        for (const std::uint32_t t : in_pairs)
+            kept_[t] = kept_[t] || is_still_open[set_of(t)] || !is_left[set_of(t)];
+    }
+
+    /// Fills sets_ and pieces_, and finds what is open.
+    void find_pieces() {
+        const auto all = sides();
+        for_each_edge(all, [&](Sides edge) {
+            if (edge.size() == 2 && !join(edge[0], edge[1])) topology_.is_one_sided = true;
+        });
+        for_each_edge(all, [&](Sides edge) { join_around(edge); });
+        number_pieces();
+        for_each_edge(all, [&](Sides edge) {
+            if (balance(edge) == 0) return;
+            ++topology_.open_edges;
+            for (const TriangleSide& side : edge)
+                pieces_[piece_of_[side.triangle]].is_closed = false;
+        });
+        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+            if (!kept_[t]) continue;
+            const auto at = [&](std::size_t k) { return mesh_.positions[corners_[t][k]]; };
+            pieces_[piece_of_[t]].add({at(0), at(1), at(2)}, is_odd(t));
+        }
+    }
+
+    void number_pieces() {
+        piece_of_.assign(corners_.size(), MeshPieces::kNone);
+        for (std::uint32_t t = 0; t < corners_.size(); ++t) {
+            const std::uint32_t set = sets_.find(t).set;
+            if (piece_of_[set] == MeshPieces::kNone) {
+                piece_of_[set] = static_cast<std::uint32_t>(pieces_.size());
+                pieces_.emplace_back();
+            }
+            piece_of_[t] = piece_of_[set];
+        }
+    }
+
+    /// Whether a triangle winds otherwise than the first of its piece.
+    bool is_odd(std::uint32_t t) { return sets_.find(t).is_turned; }
+
+    /// Two sides at an edge run against each other where their triangles wind alike.
+    bool join(const TriangleSide& a, const TriangleSide& b) {
+        return sets_.join(a.triangle, b.triangle, a.runs_up == b.runs_up);
+    }
+
+    /// How many more sides of a piece run up an edge than down it, as its first triangle winds.
+    int balance(Sides edge, std::uint32_t piece = MeshPieces::kNone) {
+        int sum = 0;
+        for (const TriangleSide& side : edge) {
+            const auto [set, is_turned] = sets_.find(side.triangle);
+            if (piece == MeshPieces::kNone || piece == set)
+                sum += side.runs_up != is_turned ? 1 : -1;
+        }
+        return sum;
+    }
+
+    /// Where more than two triangles meet, each piece may be closed by itself, as two cubes that
+    /// touch along an edge are. Those that are not are one, and wind as the file has them.
+    void join_around(Sides edge) {
+        constexpr std::size_t kMost = 64;  // beyond, nobody knows what is meant
+        if (edge.size() <= 2 || edge.size() % 2 != 0 || edge.size() > kMost) return;
+        std::vector<const TriangleSide*> up, down;
+        for (const TriangleSide& side : edge) {
+            if (balance(edge, sets_.find(side.triangle).set) == 0) continue;
+            (side.runs_up ? up : down).push_back(&side);
+        }
+        while (!up.empty() && !down.empty()) {
+            sets_.join(up.back()->triangle, down.back()->triangle, false);
+            up.pop_back();
+            down.pop_back();
+        }
+    }
+
+    /// Decides into turns_ which triangles of every piece are turned round.
+    void turn_outwards() {
+        MeshPieces closed;
+        std::vector<std::uint32_t> number(pieces_.size(), MeshPieces::kNone);
+        std::vector<bool> is_inside_out;
+        for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+            turns_.push_back(pieces_[i].first_is_odd());
+            if (pieces_[i].triangles == 0 || !pieces_[i].is_closed) continue;
+            number[i] = closed.count++;
+            is_inside_out.push_back(pieces_[i].is_inside_out());
+        }
+        if (std::find(is_inside_out.begin(), is_inside_out.end(), true) == is_inside_out.end())
+            return;
+        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+            const std::uint32_t piece = piece_of_[t];
+            closed.of.push_back(kept_[t] ? number[piece] : MeshPieces::kNone);
+            closed.faces_in.push_back(pieces_[piece].is_inside_out() !=
+                                      (is_odd(t) != turns_[piece]));
+        }
+        const auto outermost = outermost_pieces(mesh_, closed);
+        for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+            if (number[i] == MeshPieces::kNone) continue;
+            const std::uint32_t outer = outermost[number[i]];
+            if (outer != MeshPieces::kNone && is_inside_out[outer]) turns_[i] = !turns_[i];
+        }
+    }
+
+    void put_together() {
         std::size_t kept = 0;
-        for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
-            if (!is_doubled[i]) mesh_.triangles[kept++] = mesh_.triangles[i];
+        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+            if (!kept_[t]) {
+                ++topology_.doubled_triangles;
+                continue;
+            }
+            Triangle corners = mesh_.triangles[t];
+            if (is_odd(t) != turns_[piece_of_[t]]) {
+                std::swap(corners[1], corners[2]);
+                ++topology_.flipped_triangles;
+            }
+            mesh_.triangles[kept++] = corners;
         }
         mesh_.triangles.resize(kept);
+        topology_.is_closed = topology_.open_edges == 0 && !topology_.is_one_sided;
+        mesh_.topology = topology_;
     }
-
-    void find_sides() {
-        sides_.reserve(3 * mesh_.triangles.size());
-        for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t a = corner(i, k), b = corner(i, (k + 1) % 3);
-                sides_.push_back({std::min(a, b), std::max(a, b), i, a < b});
-            }
-        }
-        std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
-            return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-        });
-        neighbours_.resize(mesh_.triangles.size());
-        for (std::size_t i = 0; i < sides_.size();) {
-            std::size_t end = i;
-            while (end < sides_.size() && sides_[end].low == sides_[i].low &&
-                   sides_[end].high == sides_[i].high) {
-                ++end;
-            }
-            if ((end - i) % 2 != 0) ++open_edges_;
-            if (end - i == 2) link(sides_[i], sides_[i + 1]);
-            i = end;
-        }
-    }
-
-    void link(const Side& a, const Side& b) {
-        const bool winds_alike = a.runs_up != b.runs_up;
-        neighbours_[a.triangle].add({b.triangle, winds_alike});
-        neighbours_[b.triangle].add({a.triangle, winds_alike});
-    }
-
-    /// Gives every triangle its piece and flips those that wind otherwise than its first one.
-    /// False: a piece has one side only.
-    bool wind_alike() {
-        piece_of_.assign(mesh_.triangles.size(), kNoPiece);
-        flipped_.assign(mesh_.triangles.size(), false);
-        std::vector<std::uint32_t> open;
-        for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
-            if (piece_of_[i] != kNoPiece) continue;
-            const auto piece = static_cast<std::uint32_t>(pieces_.size());
-            pieces_.push_back({{}, 0, i});
-            piece_of_[i] = piece;
-            open.assign(1, i);
-            while (!open.empty()) {
-                const std::uint32_t t = open.back();
-                open.pop_back();
-                measure(t, pieces_[piece]);
-                for (std::size_t k = 0; k < neighbours_[t].size; ++k) {
-                    const auto [other, winds_alike] = neighbours_[t].all[k];
-                    const bool flips = flipped_[t] == winds_alike;
-                    if (piece_of_[other] == kNoPiece) {
-                        piece_of_[other] = piece;
-                        flipped_[other] = flips;
-                        open.push_back(other);
-                    } else if (flipped_[other] != flips) {
-                        return false;
-                    }
-                }
-            }
-        }
-        return true;
-    }
-
-    void measure(std::uint32_t t, Piece& piece) const {
-        const Vec3 o = mesh_.positions[mesh_.triangles[piece.first][0]];
-        std::array<Vec3, 3> p;
-        for (std::size_t k = 0; k < 3; ++k) {
-            p[k] = mesh_.positions[mesh_.triangles[t][k]];
-            piece.bounds.add(p[k]);
-        }
-        const Real volume = dot(p[0] - o, cross(p[1] - o, p[2] - o));
-        piece.volume += flipped_[t] ? -volume : volume;
-    }
-
-    /// Turns the outermost pieces that are inside out, and with each what is inside it.
-    void turn_outwards() {
-        std::vector<bool> turns(pieces_.size());
-        for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-            const std::uint32_t outer = outermost_around(i);
-            turns[i] = pieces_[outer].volume < 0;
-        }
-        for (std::size_t t = 0; t < flipped_.size(); ++t)
-            flipped_[t] = flipped_[t] != turns[piece_of_[t]];
-    }
-
-    /// The largest piece that encloses a piece; itself when there is none. Of very many pieces the
-    /// boxes must do.
-    [[nodiscard]] std::uint32_t outermost_around(std::uint32_t piece) const {
-        constexpr std::size_t kMany = 64;
-        const bool by_box = pieces_.size() > kMany;
-        std::uint32_t outer = piece;
-        const auto size = [&](std::uint32_t i) { return length(pieces_[i].bounds.half_size()); };
-        if (pieces_.size() > kMany * kMany) return piece;
-        for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-            if (i == piece || size(i) <= size(outer)) continue;
-            const Bounds &box = pieces_[i].bounds, &own = pieces_[piece].bounds;
-            if (min(box.lo, own.lo) != box.lo || max(box.hi, own.hi) != box.hi) continue;
-            if (by_box || encloses(i, mesh_.positions[mesh_.triangles[pieces_[piece].first][0]]))
-                outer = i;
-        }
-        return outer;
-    }
-
-    /// Whether a line from p crosses a piece an odd number of times, in double.
-    [[nodiscard]] bool encloses(std::uint32_t piece, Vec3 p) const {
-        const Vec3 d{0.48, 0.64, 0.6};  // along no axis
-        bool inside = false;
-        for (std::size_t t = 0; t < piece_of_.size(); ++t) {
-            if (piece_of_[t] != piece) continue;
-            const Vec3 a = mesh_.positions[mesh_.triangles[t][0]] - p;
-            const Vec3 ab = mesh_.positions[mesh_.triangles[t][1]] - p - a;
-            const Vec3 ac = mesh_.positions[mesh_.triangles[t][2]] - p - a;
-            const Vec3 h = cross(d, ac);
-            const Real det = dot(ab, h);
-            const Real u = -dot(a, h) / det;
-            const Vec3 q = cross(-a, ab);
-            const Real v = dot(d, q) / det;
-            if (u >= 0 && v >= 0 && u + v <= 1 && dot(ac, q) / det > 0) inside = !inside;
-        }
-        return inside;
-    }
-
-    struct Neighbour {
-        std::uint32_t triangle;
-        bool winds_alike;
-    };
-    struct Neighbours {
-        std::array<Neighbour, 3> all;
-        std::size_t size = 0;
-        void add(Neighbour one) { all[size++] = one; }
-    };
-    static constexpr std::uint32_t kNoPiece = ~0U;
 
     TriangleMesh mesh_;
-    std::vector<std::uint32_t> first_at_;
-    std::vector<Side> sides_;
-    std::vector<Neighbours> neighbours_;
-    std::vector<std::uint32_t> piece_of_;
-    std::vector<bool> flipped_;
+    std::vector<Triangle> corners_;  ///< welded; flat triangles behind the others
+    std::vector<bool> kept_;
+    WindingSets sets_{0};
+    std::vector<std::uint32_t> piece_of_;  ///< by triangle
     std::vector<Piece> pieces_;
-    std::uint64_t doubled_ = 0, open_edges_ = 0;
+    std::vector<bool> turns_;  ///< by piece: whether those are turned that wind as the first, or
+                               ///< else those that do not
+    MeshTopology topology_;
 };
 
 }  // namespace

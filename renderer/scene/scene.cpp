@@ -61,6 +61,8 @@ Result<std::shared_ptr<const Scene>> Scene::build(const SceneDescription& given,
         if (const auto* mesh =
                 std::get_if<std::shared_ptr<const TriangleMesh>>(&object.placed.shape)) {
             scene->dropped_triangles_ += (*mesh)->dropped_triangles;
+            if ((*mesh)->topology)
+                scene->dropped_triangles_ += (*mesh)->topology->doubled_triangles;
         }
     }
     scene->bodies_ = std::make_unique<const BodyTable>(bodies, *scene->geometry_);
