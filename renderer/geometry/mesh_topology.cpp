@@ -225,7 +225,13 @@ class Topology {
             }
             mesh_.triangles[kept++] = corners;
         }
+        const std::size_t first_flat = mesh_.triangles.size();
         mesh_.triangles.resize(kept);
+        std::size_t kept_flat = 0;
+        for (std::size_t i = 0; i < mesh_.flat_triangles.size(); ++i) {
+            if (kept_[first_flat + i]) mesh_.flat_triangles[kept_flat++] = mesh_.flat_triangles[i];
+        }
+        mesh_.flat_triangles.resize(kept_flat);
         topology_.is_closed = topology_.open_edges == 0 && !topology_.is_one_sided;
         mesh_.topology = topology_;
     }

@@ -9,84 +9,13 @@
 
 #include "renderer/geometry/mesh_readers.h"
 #include "renderer/geometry/mesh_text.h"
+#include "renderer/geometry/obj_statements.h"
 #include "renderer/geometry/polygon_mesh.h"
 
 namespace bouguer::renderer {
 namespace {
 
 constexpr std::uint32_t kNone = PolygonCorner::kNone;
-
-/// What a statement means for the surface.
-enum class Statement : std::uint8_t {
-    Vertex,
-    TextureVertex,
-    Normal,
-    Face,
-    Material,
-    Nothing,  ///< does not change polygons
-    Dropped   ///< is something that is left out, and named
-};
-
-struct Keyword {
-    std::string_view word;
-    Statement means;
-    std::string_view of = {};  ///< what is dropped
-};
-
-/// Every statement of the format [Wavefront, Advanced Visualizer, appendix B1: Object Files].
-constexpr std::array kKeywords{
-    Keyword{"v", Statement::Vertex},
-    Keyword{"vt", Statement::TextureVertex},
-    Keyword{"vn", Statement::Normal},
-    Keyword{"f", Statement::Face},
-    Keyword{"fo", Statement::Face},  // as the format was before version 2.11
-    Keyword{"usemtl", Statement::Material},
-    Keyword{"g", Statement::Nothing},
-    Keyword{"o", Statement::Nothing},
-    Keyword{"s", Statement::Nothing},
-    Keyword{"mg", Statement::Nothing},
-    Keyword{"bevel", Statement::Nothing},
-    Keyword{"c_interp", Statement::Nothing},
-    Keyword{"d_interp", Statement::Nothing},
-    Keyword{"lod", Statement::Nothing},
-    Keyword{"mtllib", Statement::Nothing},
-    Keyword{"usemap", Statement::Nothing},
-    Keyword{"maplib", Statement::Nothing},
-    Keyword{"shadow_obj", Statement::Nothing},
-    Keyword{"trace_obj", Statement::Nothing},
-    Keyword{"ctech", Statement::Nothing},
-    Keyword{"stech", Statement::Nothing},
-    Keyword{"p", Statement::Dropped, "points"},
-    Keyword{"l", Statement::Dropped, "lines"},
-    Keyword{"call", Statement::Dropped, "other files (call)"},
-    Keyword{"csh", Statement::Dropped, "commands (csh)"},
-    Keyword{"vp", Statement::Dropped, "curves and surfaces"},
-    Keyword{"cstype", Statement::Dropped, "curves and surfaces"},
-    Keyword{"deg", Statement::Dropped, "curves and surfaces"},
-    Keyword{"bmat", Statement::Dropped, "curves and surfaces"},
-    Keyword{"step", Statement::Dropped, "curves and surfaces"},
-    Keyword{"curv", Statement::Dropped, "curves and surfaces"},
-    Keyword{"curv2", Statement::Dropped, "curves and surfaces"},
-    Keyword{"surf", Statement::Dropped, "curves and surfaces"},
-    Keyword{"parm", Statement::Dropped, "curves and surfaces"},
-    Keyword{"trim", Statement::Dropped, "curves and surfaces"},
-    Keyword{"hole", Statement::Dropped, "curves and surfaces"},
-    Keyword{"scrv", Statement::Dropped, "curves and surfaces"},
-    Keyword{"sp", Statement::Dropped, "curves and surfaces"},
-    Keyword{"end", Statement::Dropped, "curves and surfaces"},
-    Keyword{"con", Statement::Dropped, "curves and surfaces"},
-    Keyword{"bsp", Statement::Dropped, "curves and surfaces"},
-    Keyword{"bzp", Statement::Dropped, "curves and surfaces"},
-    Keyword{"cdc", Statement::Dropped, "curves and surfaces"},
-    Keyword{"cdp", Statement::Dropped, "curves and surfaces"},
-    Keyword{"res", Statement::Dropped, "curves and surfaces"},
-};
-
-const Keyword* find_keyword(std::string_view word) {
-    const auto it = std::find_if(kKeywords.begin(), kKeywords.end(),
-                                 [&](const Keyword& k) { return k.word == word; });
-    return it == kKeywords.end() ? nullptr : it;
-}
 
 class ObjReader {
   public:
@@ -105,6 +34,9 @@ class ObjReader {
             }
         }
         if (mesh_.sizes.empty()) return refuse_without_faces();
+        // Programs that know smoothing groups write normals too, as a rule.
+        if (is_smooth_ && mesh_.normals.empty())
+            mesh_.notes.dropped.add("smoothing groups: without normals faces are flat");
         return triangle_mesh(std::move(mesh_), limits_);
     }
 
@@ -113,18 +45,19 @@ class ObjReader {
     /// the next. A comment ends with its line, whatever that ends with: with a path, for one.
     std::optional<std::string_view> whole_line(WordScanner& lines) {
         auto line = lines.line();
-        if (line) line = without_comment(*line);
-        if (!line || !line->ends_with('\\')) return line;
-        joined_.assign(*line);
-        while (joined_.ends_with('\\')) {
-            joined_.back() = ' ';
-            const auto more = lines.line();
-            if (!more) break;
-            joined_.append(without_comment(*more));
+        if (!line || !goes_on(*line)) return line ? without_comment(*line) : line;
+        joined_.clear();
+        while (line && goes_on(*line)) {
+            line->remove_suffix(1);
+            joined_.append(*line).push_back(' ');
+            line = lines.line();
         }
-        return joined_;
+        return joined_.append(without_comment(line.value_or("")));
     }
 
+    static bool goes_on(std::string_view line) {
+        return line.ends_with('\\') && line.find('#') == std::string_view::npos;
+    }
     static std::string_view without_comment(std::string_view line) {
         return line.substr(0, line.find('#'));
     }
@@ -133,28 +66,38 @@ class ObjReader {
         WordScanner words(line);
         const std::string_view word = words.word();
         if (word.empty()) return {};
-        const Keyword* keyword = find_keyword(word);
+        const ObjKeyword* keyword = find_obj_keyword(word);
         // Untold: the file may be none of ours.
         if (keyword == nullptr) return refuse("unknown statement");
         switch (keyword->means) {
-            case Statement::Vertex:
+            case ObjStatement::Vertex:
                 return vertex(words);
-            case Statement::TextureVertex:
+            case ObjStatement::TextureVertex:
                 return texture_vertex(words);
-            case Statement::Normal:
+            case ObjStatement::Normal:
                 return normal(words);
-            case Statement::Face:
+            case ObjStatement::Face:
                 return face(words);
-            case Statement::Material:
+            case ObjStatement::Material:
                 mesh_.notes.materials.add(rest_of(words));
                 return {};
-            case Statement::Dropped:
+            case ObjStatement::Smoothing:
+                if (!is_off(words.word())) is_smooth_ = true;
+                return {};
+            case ObjStatement::Map:
+                if (!is_off(words.word())) mesh_.notes.dropped.add("texture maps (usemap)");
+                return {};
+            case ObjStatement::Dropped:
                 mesh_.notes.dropped.add(keyword->of);
                 return {};
-            case Statement::Nothing:
+            case ObjStatement::Nothing:
                 return {};
         }
         return {};
+    }
+
+    static bool is_off(std::string_view word) {
+        return word.empty() || word == "off" || word == "0";
     }
 
     /// Numbers up to the end of the line: at least `least` of them and at most `most`. The first
@@ -258,6 +201,7 @@ class ObjReader {
     MeshLimits limits_;
     std::size_t max_vertices_;
     std::uint64_t line_ = 0;
+    bool is_smooth_ = false;
     std::string joined_;  ///< a line of several
     std::array<Real, 3> xyz_{};
     int num_read_ = 0;
@@ -278,7 +222,7 @@ bool may_be_obj(std::string_view first_bytes) {
         const std::size_t begin = line.find_first_not_of(space);
         if (begin == std::string_view::npos) continue;
         const std::string_view word = line.substr(begin, line.find_first_of(space, begin) - begin);
-        return find_keyword(word) != nullptr || (is_cut && word.size() == line.size() - begin);
+        return find_obj_keyword(word) != nullptr || (is_cut && word.size() == line.size() - begin);
     }
     return true;
 }

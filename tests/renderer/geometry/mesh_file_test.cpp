@@ -180,6 +180,23 @@ TEST(MeshFile, EndsObjCommentsWithTheirLine) {
               "\\\n4\n"));
 }
 
+// What asks for smooth faces, maps or other shapes changes the picture, though not the polygons.
+TEST(MeshFile, NamesWhatObjAsksForAndDoesNotGet) {
+    const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\n";
+    EXPECT_TRUE(
+        read(square + "s 1\nf 1//1 2//1 3//1 4//1\ns off\nusemap off\n")->notes.dropped.empty());
+    const Mesh flat = read(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\ns 1\nusemap wood\ntrace_obj a.obj\nshadow_obj b.obj\nf 1 2 "
+        "3\n");
+    EXPECT_EQ(flat->notes.dropped.text(),
+              "texture maps (usemap), a shape for reflections (trace_obj), a shape for shadows "
+              "(shadow_obj), smoothing groups: without normals faces are flat");
+}
+
+TEST(MeshFile, DoesNotTakeABackslashBeforeACommentForTheEndOfALine) {
+    expect_square(*read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng a\\# b\nf 1 2 3 4\n"));
+}
+
 TEST(MeshFile, LeavesOutWhatCornersOfObjLeaveEmpty) {
     const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
     expect_square(*read(square + "f 1/ 2/ 3/ 4/\n"));
