@@ -92,7 +92,13 @@ class EarClipper {
         bool is_good = true;
         std::uint32_t at = 0;
         for (std::size_t left = points_.size(); left > 3; --left) {
-            const std::uint32_t ear = best_ear(at, left);
+            std::uint32_t ear = best_ear(at, left);
+            if (ears_[ear] == Ear::None && looks_left_ > 0) {
+                // Where the border touches itself, an ear may come of a cut that is not beside it.
+                --looks_left_;
+                for (std::size_t i = 0; i < left; ++i, at = next_[at]) ears_[at] = ear_at(at);
+                ear = best_ear(at, left);
+            }
             is_good = is_good && ears_[ear] != Ear::None;
             triangles.push_back({before_[ear], ear, next_[ear]});
             at = remove(ear);
@@ -130,6 +136,24 @@ class EarClipper {
         return b;
     }
 
+    using Corners = std::array<Vec2, 3>;
+    using Sides = std::array<Real, 3>;
+
+    /// On which side of each edge of a triangle p lies: above zero inside.
+    static Sides sides_of(const Corners& t, Vec2 p) {
+        return {orientation(t[0], t[1], p), orientation(t[1], t[2], p), orientation(t[2], t[0], p)};
+    }
+
+    /// Whether the way to q from a point on a triangle's border goes into the triangle. `from` are
+    /// that point's sides.
+    static bool enters(const Corners& t, const Sides& from, Vec2 q) {
+        const Sides to = sides_of(t, q);
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (from[i] == 0 && to[i] <= 0) return false;
+        }
+        return true;
+    }
+
     [[nodiscard]] Ear ear_at(std::uint32_t i) const {
         const Vec2 a = points_[before_[i]];
         const Vec2 b = points_[i];
@@ -139,15 +163,18 @@ class EarClipper {
         if (area < 0) return Ear::None;
         const Vec2 lo{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})};
         const Vec2 hi{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})};
+        const Corners corners{a, b, c};
         Ear ear = Ear::Good;
         for (std::uint32_t k = next_[next_[i]]; k != before_[i]; k = next_[k]) {
             const Vec2 p = points_[k];
             if (p.x < lo.x || p.x > hi.x || p.y < lo.y || p.y > hi.y) continue;
-            if (p == a || p == b || p == c) continue;  // there the border only touches itself
-            const Real side =
-                std::min({orientation(a, b, p), orientation(b, c, p), orientation(c, a, p)});
-            if (side > 0) return Ear::None;
-            if (side == 0) ear = Ear::Touched;
+            const Sides sides = sides_of(corners, p);
+            const Real least = std::min({sides[0], sides[1], sides[2]});
+            if (least < 0) continue;
+            if (least > 0 || enters(corners, sides, points_[before_[k]]) ||
+                enters(corners, sides, points_[next_[k]]))
+                return Ear::None;
+            if (p != a && p != b && p != c) ear = Ear::Touched;
         }
         return ear;
     }
@@ -155,6 +182,7 @@ class EarClipper {
     const std::vector<Vec2>& points_;
     std::vector<std::uint32_t> next_, before_;
     std::vector<Ear> ears_;  ///< of the corners that are left
+    int looks_left_ = 8;     ///< at all of them: each takes the time of a whole polygon
 };
 
 void add_fan(std::uint32_t n, std::vector<Triangle>& triangles) {

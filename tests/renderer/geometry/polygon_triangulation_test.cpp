@@ -79,6 +79,56 @@ TEST(PolygonTriangulation, CoversRandomStars) {
     }
 }
 
+/// Corners in random places, in an order whose border does not cross itself: crossings are undone
+/// one by one, each of which makes the border shorter.
+std::vector<Vec3> random_polygon(std::mt19937& random, std::size_t n) {
+    std::uniform_real_distribution<Real> place(0, 1);
+    std::vector<Vec3> p;
+    for (std::size_t i = 0; i < n; ++i) p.push_back({place(random), place(random), 0});
+    const auto left = [&](std::size_t a, std::size_t b, std::size_t c) {
+        return cross(p[b % n] - p[a % n], p[c % n] - p[a % n]).z > 0;
+    };
+    for (bool is_crossed = true; is_crossed;) {
+        is_crossed = false;
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t k = i + 2; k < n - (i == 0 ? 1 : 0); ++k) {
+                if (left(i, i + 1, k) == left(i, i + 1, k + 1)) continue;
+                if (left(k, k + 1, i) == left(k, k + 1, i + 1)) continue;
+                std::reverse(p.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                             p.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+                is_crossed = true;
+            }
+        }
+    }
+    if (shoelace(p) < 0) std::reverse(p.begin(), p.end());
+    return p;
+}
+
+TEST(PolygonTriangulation, CoversRandomSimplePolygons) {
+    std::mt19937 random(11);
+    for (int i = 0; i < 100; ++i) expect_covered(random_polygon(random, 4 + random() % 40));
+}
+
+// On a lattice corners lie on lines with others, and borders touch corners.
+TEST(PolygonTriangulation, CoversRandomPolygonsOnALattice) {
+    std::mt19937 random(12);
+    for (int i = 0; i < 100; ++i) {
+        std::vector<Vec3> stairs{{0, 0, 0}};
+        const int n = 3 + static_cast<int>(random() % 12);
+        for (int k = 0; k < n; ++k) {
+            const Real y = 1 + static_cast<Real>(random() % 3);
+            stairs.push_back({static_cast<Real>(k), -y, 0});
+            stairs.push_back({static_cast<Real>(k + 1), -y, 0});
+        }
+        for (int k = n; k > 0; --k) {
+            const Real y = static_cast<Real>(random() % 3);
+            stairs.push_back({static_cast<Real>(k), y, 0});
+            stairs.push_back({static_cast<Real>(k - 1), y, 0});
+        }
+        expect_covered(stairs);
+    }
+}
+
 // A square with a square hole, as one polygon with a slit to it: 4 - 1.
 TEST(PolygonTriangulation, CoversAPolygonWithASlitToItsHole) {
     expect_covered({{0, 0, 0},
