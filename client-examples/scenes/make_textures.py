@@ -70,7 +70,7 @@ def scene():
             {"name": "screen", "shape": quad(0.9, 0.3, 2.4, 2.4, -1.5), "material": "screen"},
             {"name": "pane", "shape": quad(1.5, 0.05, 1.4, 1.4, 0.8), "material": "pane"},
             {"name": "ball", "shape": {"type": "sphere", "center": [0, 0, 0], "radius": 0.9}, "material": "ball",
-             "transform": [{"rotate": {"axis": [1, 0, 0], "angle_deg": -90}}, {"translate": [-0.3, 0.9, 0.6]}]},
+             "transform": [{"translate": [-0.3, 0.9, 0.6]}]},
         ],
         "lights": [{"type": "point", "position": [-3, 6, 7], "intensity": {"spectrum": "D65", "scale": 60}}],
         "ambient": {"k_a": 0.2, "weights": "hemisphere"},

@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "renderer/geometry/surface_coordinates.h"
+
 namespace bouguer::renderer {
 namespace {
 
@@ -124,12 +126,6 @@ std::pair<Vec3, Vec3> on_surface(UnitShape kind, std::uint8_t part, Vec3 q) {
     return {q, q};
 }
 
-/// Angle about z as a share of a turn, [0, 1).
-Real turn(Vec3 q) {
-    const Real angle = std::atan2(q.y, q.x) / (2 * kPi);
-    return angle < 0 ? angle + 1 : angle;
-}
-
 Vec3 column(const Transform& m, int i) { return {m.a[0][i], m.a[1][i], m.a[2][i]}; }
 
 /// A unit shape that is scaled, turned and moved, and the way back. Both are put together from
@@ -138,6 +134,7 @@ struct Placement {
     UnitShape kind;
     Transform to_world;
     Transform to_unit;
+    Vec2 bottom_u;
 };
 
 Placement place(UnitShape kind, Vec3 at, const Frame& frame, Vec3 scale) {
@@ -146,9 +143,18 @@ Placement place(UnitShape kind, Vec3 at, const Frame& frame, Vec3 scale) {
                 Vec3{frame.x.z, frame.y.z, frame.z.z}};
     Transform back;
     back.a = {frame.x, frame.y, frame.z};
-    return {kind, Transform::translate(at) * turned * Transform::scale(scale),
+    return {kind,
+            Transform::translate(at) * turned * Transform::scale(scale),
             Transform::scale({1 / scale.x, 1 / scale.y, 1 / scale.z}) * back *
-                Transform::translate(-at)};
+                Transform::translate(-at),
+            {}};
+}
+
+/// The first axis of a disk that looks the other way as one that looks along frame.z, in the axes
+/// of the latter.
+Vec2 u_of_bottom(const Frame& frame) {
+    const Vec3 u = upright_frame(-frame.z).x;
+    return {dot(frame.x, u), dot(frame.y, u)};
 }
 
 const Frame kUpright{{0, 0, 1}};
@@ -158,7 +164,7 @@ struct Place {
         return place(UnitShape::Sphere, s.center, kUpright, Vec3{1, 1, 1} * s.radius);
     }
     std::optional<Placement> operator()(const Disk& s) const {
-        return place(UnitShape::Disk, s.center, Frame(normalize(s.normal)),
+        return place(UnitShape::Disk, s.center, upright_frame(normalize(s.normal)),
                      Vec3{1, 1, 1} * s.radius);
     }
     std::optional<Placement> operator()(const Box& s) const {
@@ -167,8 +173,11 @@ struct Place {
     }
     std::optional<Placement> operator()(const Cylinder& s) const {
         const Vec3 axis = s.to - s.from;
-        return place(UnitShape::Cylinder, s.from, Frame(normalize(axis)),
-                     {s.radius, s.radius, length(axis)});
+        const Frame frame = upright_frame(normalize(axis));
+        Placement placement =
+            place(UnitShape::Cylinder, s.from, frame, {s.radius, s.radius, length(axis)});
+        placement.bottom_u = u_of_bottom(frame);
+        return placement;
     }
     std::optional<Placement> operator()(const Plane& /*s*/) const { return std::nullopt; }
     std::optional<Placement> operator()(const std::shared_ptr<const TriangleMesh>& /*s*/) const {
@@ -189,6 +198,7 @@ std::optional<AnalyticShape> AnalyticShape::create(const Shape& shape, const Tra
     if (!placement || !inverse) return std::nullopt;
     AnalyticShape result;
     result.kind_ = placement->kind;
+    result.bottom_u_ = placement->bottom_u;
     result.to_scene_ = instance * placement->to_world;
     result.to_unit_ = placement->to_unit * *inverse;
     if (!is_finite(result.to_scene_) || !is_finite(result.to_unit_)) return std::nullopt;
@@ -279,18 +289,20 @@ void AnalyticShape::complete(const Ray& ray, AnalyticHit at, Hit& hit) const {
 }
 
 Vec2 AnalyticShape::uv(const Hit& hit) const {
-    const Vec3 q = to_unit_.point(hit.p);
+    const auto part = static_cast<std::uint8_t>(hit.primitive);
+    const auto [q, n] = on_surface(kind_, part, to_unit_.point(hit.p));
     switch (kind_) {
         case UnitShape::Sphere:
-            return {turn(q), std::acos(std::clamp(q.z, -1.0, 1.0)) / kPi};
+            return sphere_uv(q);
         case UnitShape::Disk:
-            return {turn(q), std::hypot(q.x, q.y)};
-        case UnitShape::Box: {
-            const int axis = static_cast<int>(hit.primitive);
-            return {0.5 + 0.5 * q[(axis + 1) % 3], 0.5 + 0.5 * q[(axis + 2) % 3]};
-        }
+            return disk_uv(q.x, q.y);
+        case UnitShape::Box:
+            return box_uv(n, q);
         case UnitShape::Cylinder:
-            return {turn(q), hit.primitive == 0 ? q.z : std::hypot(q.x, q.y)};
+            if (part == 0) return cylinder_side_uv(q);
+            if (n.z > 0) return disk_uv(q.x, q.y);
+            return disk_uv(bottom_u_.x * q.x + bottom_u_.y * q.y,
+                           bottom_u_.y * q.x - bottom_u_.x * q.y);
     }
     return {};
 }

@@ -52,8 +52,7 @@ class AnalyticShape {
     /// Fills t, p, ng, ns, error, resolution and primitive of `hit`. The point is put onto the
     /// surface, so that its error does not grow with the way the ray has come.
     void complete(const Ray& ray, AnalyticHit at, Hit& hit) const;
-    /// Sphere: longitude and latitude; disk: angle and radius; box: place on the face; cylinder:
-    /// angle and height, or angle and radius on the caps. All in [0, 1].
+    /// See surface_coordinates.h. Caps of a cylinder are as disks. All in [0, 1].
     [[nodiscard]] Vec2 uv(const Hit& hit) const;
 
     [[nodiscard]] Bounds bounds() const;
@@ -75,6 +74,7 @@ class AnalyticShape {
     Real growth_ = 1;     ///< the most that a length becomes in the space of the unit shape
     Transform to_scene_;
     Transform to_unit_;
+    Vec2 bottom_u_;  ///< of a cylinder: where u points on the cap at z = 0
 };
 
 }  // namespace bouguer::renderer

@@ -273,8 +273,7 @@ Vec2 EmbreeGeometry::surface_uv(const Hit& hit) const {
     if (part < data_.num_meshes) return data_.meshes[part].uv(hit);
     part -= data_.num_meshes;
     if (part < data_.analytic->shapes.size()) return data_.analytic->shapes[part].uv(hit);
-    const Frame frame(hit.ng);
-    return {dot(frame.x, hit.p + data_.origin), dot(frame.y, hit.p + data_.origin)};
+    return data_.plane_coordinates[part - data_.analytic->shapes.size()].at(hit.p);
 }
 
 Vec3 EmbreeGeometry::smooth_point(const Hit& hit) const {

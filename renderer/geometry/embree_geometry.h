@@ -17,6 +17,7 @@
 #include "renderer/geometry/geometry_query.h"
 #include "renderer/geometry/mesh_part.h"
 #include "renderer/geometry/nested_meshes.h"
+#include "renderer/geometry/surface_coordinates.h"
 
 namespace bouguer::renderer {
 
@@ -48,7 +49,8 @@ struct GeometryData {
     std::unique_ptr<AnalyticSet> analytic = std::make_unique<AnalyticSet>();
     std::unique_ptr<NestedMeshes> nested = std::make_unique<NestedMeshes>();
     std::vector<PlanePart> planes;
-    std::vector<std::uint32_t> first_of_object;  ///< in part_of_instance
+    std::vector<PlaneCoordinates> plane_coordinates;  ///< by plane; apart, as few rays need them
+    std::vector<std::uint32_t> first_of_object;       ///< in part_of_instance
     std::vector<std::uint32_t> part_of_instance;
     std::vector<Bounds> mesh_bounds;  ///< by mesh
     Real mesh_reach = 0;  ///< the worst that single precision does to a mesh, scene units

@@ -116,9 +116,8 @@ class Geometry {
     /// Of one instance, in the coordinates of rays; without end for planes.
     [[nodiscard]] virtual Bounds bounds(std::uint32_t object, std::uint32_t instance) const = 0;
 
-    /// Surface coordinates of a hit: a mesh's own, interpolated, or the barycentric ones; those of
-    /// AnalyticShape::uv; for planes the coordinates along two axes of the plane, scene units.
-    /// Apart from nearest() because few scenes need them.
+    /// Surface coordinates of a hit: a mesh's own, interpolated, or the barycentric ones; of other
+    /// shapes those of surface_coordinates.h. Apart from nearest() because few scenes need them.
     [[nodiscard]] virtual Vec2 surface_uv(const Hit& hit) const = 0;
 
     /// Where the smooth surface that a mesh's normals stand for lies over the facet of a hit, on

@@ -113,6 +113,7 @@ class Builder {
                 const Vec3 point = instance.point(plane->point);
                 if (!is_finite(n) || !is_finite(point)) return refuse(object, "is not finite");
                 data_.planes.push_back({n, dot(n, point), owner});
+                data_.plane_coordinates.emplace_back(plane->normal, *inverse);
                 plane_points_.push_back(point);
             } else {
                 const auto shape = AnalyticShape::create(placed.shape, instance);
@@ -144,6 +145,7 @@ class Builder {
         for (AnalyticShape& shape : data_.analytic->shapes) shape = shape.relative_to(data_.origin);
         for (std::size_t i = 0; i < data_.planes.size(); ++i) {
             data_.planes[i].offset = dot(data_.planes[i].n, plane_points_[i] - data_.origin);
+            data_.plane_coordinates[i] = data_.plane_coordinates[i].relative_to(data_.origin);
         }
     }
 

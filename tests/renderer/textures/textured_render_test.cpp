@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Textures all the way into a picture: on what is reflected, what goes through and what shines.
-#include <gtest/gtest.h>
-
-#include "renderer/textures/image_texture.h"
-#include "tests/support/scenes.h"
+#include "tests/renderer/textures/quarters.h"
 
 namespace bouguer::renderer {
 namespace {
 
-/// Grey, 0.1 and 0.2 above 0.3 and 0.4, without a filter.
-SurfaceSpectrum quarters() {
-    auto image = std::make_shared<TextureImage>();
-    image->width = image->height = 2;
-    image->samples = std::vector<float>{0.1F, 0.2F, 0.3F, 0.4F};
-    return {
-        constant_spectrum(1),
-        image_texture(std::move(image), {ColourEncoding::Linear, TextureFilter::Nearest, {}, {}})
-            .value()};
-}
+using test::expect_quarters_of;
+using test::quarters;
+using test::seen;
 
 /// The square [-1, 1]^2 at height z, u to the right and v up.
 Shape square(Real z) {
@@ -33,22 +23,6 @@ test::SceneBuilder above() {
     test::SceneBuilder builder;
     builder.description.camera = OrthographicCamera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 2};
     return builder;
-}
-
-/// Y in the middle of the picture's quarters: upper left, upper right, lower left, lower right.
-std::array<float, 4> seen(const test::SceneBuilder& scene) {
-    RenderSettings settings;
-    settings.resolution = {16, 16};
-    const Picture picture = *test::render(scene.build(), settings, 4)->picture();
-    const auto y = [&](std::size_t column, std::size_t row) {
-        return picture.xyz[3 * (16 * row + column) + 1];
-    };
-    return {y(4, 4), y(12, 4), y(4, 12), y(12, 12)};
-}
-
-void expect_quarters_of(const std::array<float, 4>& found, const std::array<float, 4>& whole) {
-    const std::array expected{0.1F, 0.2F, 0.3F, 0.4F};
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(found[i] / whole[i], expected[i], 1e-5) << i;
 }
 
 TEST(TexturedRender, ReflectsByTheTexture) {
