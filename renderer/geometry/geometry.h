@@ -94,8 +94,8 @@ class Geometry {
     [[nodiscard]] virtual bool occluded(const Ray& ray, Real t_max) const = 0;
 
     /// Every crossing of a surface with from <= t <= to, in the order of t (at equal t of object
-    /// and instance), the ray being a whole line: `from` may be negative. Replaces what `crossings`
-    /// held. Of a convex shape both crossings count; of a mesh all.
+    /// and instance), the ray being a whole line: `from` is finite, but may be negative. Replaces
+    /// what `crossings` held. Of a convex shape both crossings count; of a mesh all.
     virtual void crossings(const Ray& ray, Real from, Real to,
                            std::vector<Hit>& crossings) const = 0;
     /// How far from a hit, along its normal, nearest() may confuse the order of surfaces, scene
