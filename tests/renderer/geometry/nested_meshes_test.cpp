@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // A mesh is met as precisely beside something huge, or far away, as alone; instances too.
-#include <array>
 #include <limits>
 
 #include "tests/renderer/geometry/geometry_testing.h"
