@@ -39,7 +39,7 @@ struct RenderSettings {
     /// A ray is not followed when what it may add to a sample, judged by the brightest light that
     /// the sample and the scene have shown, is less than this share of what the sample has found.
     Real min_throughput = 1e-3;
-    Real wavelength_step_nm = 5;  ///< quadrature, [1, 100]
+    Real wavelength_step_nm = 5;         ///< quadrature, [1, 100]
     std::string observer = "cie1931-2";  ///< one of observers(); XYZ is his
     Filter filter;
     int replicates = 16;  ///< independent randomisations, for the error estimate, [2, 64]
