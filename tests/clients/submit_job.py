@@ -12,6 +12,7 @@ from bouguer_client.models.job_state import JobState
 from bouguer_client.models.job_view import JobView
 from bouguer_client.models.problem import Problem
 from bouguer_client.models.report import Report
+from bouguer_client.models.submitted_job import SubmittedJob
 from bouguer_client.types import File
 
 JOB = {
@@ -51,7 +52,7 @@ def main() -> None:
     job = Job.from_dict(JOB)
     assert job.to_dict() == JOB, "the document goes through the types unchanged"
     submitted = submit_job.sync(client=client, body=job, idempotency_key="python")
-    assert isinstance(submitted, JobView), submitted
+    assert isinstance(submitted, SubmittedJob) and submitted.warnings == [], submitted
     view = ended(client, submitted.id)
     assert view.state == JobState.DONE, view.state
     assert view.progress.samples == 4

@@ -55,6 +55,7 @@ const { data: submitted, error } = await client.POST("/v1/jobs", {
   params: { header: { "Idempotency-Key": "typescript" } },
 });
 check(submitted !== undefined, `refused: ${JSON.stringify(error)}`);
+check(submitted.warnings.length === 0, `warned: ${JSON.stringify(submitted.warnings)}`);
 const view = await ended(submitted.id);
 check(view.state === "done", `ended as ${view.state}`);
 check(view.progress.samples === 4, "samples of the job");
