@@ -31,23 +31,33 @@ expect_ready() {
 
 # --- the process
 
+# unfinished: prints the ids of the jobs that are not at rest, one a line.
+unfinished() {
+    local state page
+    for state in queued running; do
+        page=$(curl -sf --retry 5 "$url/v1/jobs?limit=100&state=$state") || return
+        grep -o '"id":"[^"]*"' <<<"$page" | cut -d '"' -f 4 || true # none is no failure
+    done
+}
+
 # settle: every job that is not at rest now ends before this returns.
 settle() {
     local ids id state deadline=$((SECONDS + 60))
-    ids=$(for state in queued running; do
-        curl -sf "$url/v1/jobs?limit=100&state=$state" | sed 's/"id":"/\n&/g' | sed -n 's/^"id":"\([^"]*\)".*/\1/p'
-    done)
+    ids=$(unfinished) || fail "the daemon does not list its jobs"
     for id in $ids; do
-        while state=$(state_of "$id" || true) && [[ $state = queued || $state = running ]]; do
+        while state=$(state_of "$id" || true) && [[ ! $state =~ ^(done|failed|cancelled)$ ]] && is_there "$id"; do
             if [ $SECONDS -ge $deadline ]; then
                 untrue=$((untrue + 1))
-                echo "STUCK: job $id stays $state"
+                echo "STUCK: job $id stays ${state:-unseen}"
                 return
             fi
             sleep 0.1
         done
     done
 }
+
+# is_there ID: as far as the daemon says; somebody may have removed it.
+is_there() { [ "$(curl -s -o /dev/null -w '%{http_code}' "$url/v1/jobs/$1")" != 404 ]; }
 
 # A job whose third begin has no end is given up by the daemon, rightly: so no job is killed more than twice.
 kills_since_settled=0
