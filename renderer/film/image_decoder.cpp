@@ -7,21 +7,33 @@
 #include <algorithm>
 #include <string>
 
+#include "renderer/film/exif.h"
 #include "renderer/film/image_header.h"
 #include "renderer/film/image_library.h"
+#include "renderer/film/jpeg_decoder.h"
+#include "renderer/film/orientation.h"
+#include "renderer/film/png_colour.h"
+#include "renderer/film/png_file.h"
 
 namespace bouguer::renderer {
 namespace {
 
+using Decode = Result<DecodedImage> (*)(std::string_view bytes, const ImageHeader& header);
+Result<DecodedImage> decode_png(std::string_view bytes, const ImageHeader& header);
+Result<DecodedImage> decode_exr(std::string_view bytes, const ImageHeader& header);
+Result<DecodedImage> decode_the_jpeg(std::string_view bytes, const ImageHeader& /*header*/) {
+    return decode_jpeg(bytes);
+}
+
 struct Format {
     ImageFormat format;
     std::string_view first_bytes;
-    const char* file_name;  ///< chooses the library's reader
+    Decode decode;
 };
 constexpr std::array kFormats{
-    Format{ImageFormat::Png, "\x89PNG\r\n\x1a\n", "picture.png"},
-    Format{ImageFormat::Jpeg, "\xff\xd8\xff", "picture.jpg"},
-    Format{ImageFormat::Exr, "\x76\x2f\x31\x01", "picture.exr"},
+    Format{ImageFormat::Png, "\x89PNG\r\n\x1a\n", &decode_png},
+    Format{ImageFormat::Jpeg, "\xff\xd8\xff", &decode_the_jpeg},
+    Format{ImageFormat::Exr, "\x76\x2f\x31\x01", &decode_exr},
 };
 
 const Format* find_format(std::string_view bytes) {
@@ -34,6 +46,19 @@ tl::unexpected<Error> refuse(const char* reason) {
     return fail(ErrorKind::InvalidInput, reason, "bad-image");
 }
 
+/// Bytes that somebody else holds.
+class BorrowedSource final : public ByteSource {
+  public:
+    explicit BorrowedSource(std::string_view bytes) : bytes_(bytes) {}
+    [[nodiscard]] std::uint64_t size() const override { return bytes_.size(); }
+    [[nodiscard]] Result<std::string> read(std::uint64_t offset, std::size_t count) const override {
+        return std::string(bytes_.substr(std::min<std::uint64_t>(offset, bytes_.size()), count));
+    }
+
+  private:
+    std::string_view bytes_;
+};
+
 /// Grey or RGB, alone or with alpha behind it.
 bool are_channels_known(const OIIO::ImageSpec& spec) {
     const auto& names = spec.channelnames;
@@ -44,29 +69,20 @@ bool are_channels_known(const OIIO::ImageSpec& spec) {
     return names[0] == "R" && names[1] == "G" && names[2] == "B";
 }
 
-Result<void> check_header(const OIIO::ImageSpec& spec, std::size_t max_pixels) {
-    if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1) return refuse("the image is empty");
-    if (auto fits = check_pixels(static_cast<std::uint64_t>(spec.width),
-                                 static_cast<std::uint64_t>(spec.height), max_pixels);
-        !fits) {
-        return fits;
-    }
-    if (spec.deep) return refuse("the image has samples in depth, which are not read");
+/// What is right by its header is so by the library too.
+Result<void> check_spec(const OIIO::ImageSpec& spec, const ImageHeader& header) {
+    if (spec.deep || spec.depth > 1 || static_cast<std::uint64_t>(spec.width) != header.width ||
+        static_cast<std::uint64_t>(spec.height) != header.height)
+        return refuse(kDamagedImageHeader);
     if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
         spec.height != spec.full_height)
         return refuse("the image's data window is not its display window");
-    if (spec.get_string_attribute("jpeg:ColorSpace") == "CMYK")
-        return refuse("the image is CMYK, which has no colour without a profile");
     if (!are_channels_known(spec))
         return refuse("the image's channels are neither grey nor R, G, B, with or without alpha");
+    const int orientation = spec.get_int_attribute("Orientation", 1);
+    if (orientation >= 2 && orientation <= 8)
+        return refuse("the image is an EXR file that is said to be turned: store it upright");
     return {};
-}
-
-std::vector<std::uint8_t> icc_profile_of(const OIIO::ImageSpec& spec) {
-    const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile");
-    if (profile == nullptr) return {};
-    const auto* bytes = static_cast<const std::uint8_t*>(profile->data());
-    return {bytes, bytes + profile->type().size()};
 }
 
 /// The pixels as numbers of type T, which `type` names.
@@ -90,6 +106,57 @@ bool read_samples(OIIO::ImageInput& in, DecodedImage& image) {
     return read_samples<float>(in, OIIO::TypeDesc::FLOAT, image);
 }
 
+/// By OpenImageIO. `file_name` chooses the reader.
+Result<DecodedImage> decode_by_library(std::string_view bytes, const ImageHeader& header,
+                                       const char* file_name) {
+    set_up_image_library();
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    OIIO::Filesystem::IOProxy* proxy = &memory;
+    OIIO::ImageSpec wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1);
+    wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);  // among wishes it alone counts
+    const auto in = OIIO::ImageInput::open(file_name, &wishes, &memory);
+    if (!in) {
+        static_cast<void>(OIIO::geterror());  // taken, so that it does not wait for the next caller
+        return refuse(kDamagedImageHeader);
+    }
+    in->threads(1);
+    const OIIO::ImageSpec& spec = in->spec();
+    if (auto good = check_spec(spec, header); !good) return tl::unexpected(std::move(good).error());
+
+    DecodedImage image;
+    image.format = header.format;
+    image.width = spec.width;
+    image.height = spec.height;
+    image.channels = spec.nchannels;
+    if (std::array<float, 8> c{};
+        spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), c.data()))
+        image.chromaticities = c;
+    if (float y = 0; spec.getattribute("whiteLuminance", OIIO::TypeDesc::FLOAT, &y))
+        image.white_luminance = y;
+    if (!read_samples(*in, image)) return refuse(kDamagedPixels);
+    return image;
+}
+
+Result<DecodedImage> decode_exr(std::string_view bytes, const ImageHeader& header) {
+    return decode_by_library(bytes, header, "picture.exr");
+}
+
+Result<DecodedImage> decode_png(std::string_view bytes, const ImageHeader& header) {
+    const auto file = read_png_file(bytes);
+    if (!file) return tl::unexpected(file.error());
+    auto colour = png_colour(*file);
+    if (!colour) return tl::unexpected(std::move(colour).error());
+    auto image = decode_by_library(file->pixels_only, header, "picture.png");
+    if (!image) return image;
+    image->transfer = colour->transfer;
+    image->chromaticities = colour->chromaticities;
+    image->icc_profile = std::move(colour->icc_profile);
+    if (const auto exif = file->statements.find("eXIf"); exif != file->statements.end())
+        image->orientation = exif_orientation(exif->second);
+    return image;
+}
+
 }  // namespace
 
 std::optional<ImageFormat> image_format_of(std::string_view bytes) {
@@ -110,39 +177,13 @@ std::vector<float> DecodedImage::values() const {
 }
 
 Result<DecodedImage> decode_image(std::string_view bytes, std::size_t max_pixels) {
-    set_up_image_library();
-    const Format* format = find_format(bytes);
-    if (format == nullptr) return refuse(kUnknownImageFormat);
-
-    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
-    OIIO::Filesystem::IOProxy* proxy = &memory;
-    OIIO::ImageSpec wishes;
-    wishes.attribute("oiio:UnassociatedAlpha", 1);
-    wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);  // among wishes it alone counts
-    const auto in = OIIO::ImageInput::open(format->file_name, &wishes, &memory);
-    if (!in) {
-        static_cast<void>(OIIO::geterror());  // taken, so that it does not wait for the next caller
-        return refuse(kDamagedImageHeader);
-    }
-    in->threads(1);
-    const OIIO::ImageSpec& spec = in->spec();
-    if (auto good = check_header(spec, max_pixels); !good)
-        return tl::unexpected(std::move(good).error());
-
-    DecodedImage image;
-    image.format = format->format;
-    image.width = spec.width;
-    image.height = spec.height;
-    image.channels = spec.nchannels;
-    image.orientation = spec.get_int_attribute("Orientation", 1);
-    if (std::array<float, 8> c{};
-        spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), c.data()))
-        image.chromaticities = c;
-    if (float y = 0; spec.getattribute("whiteLuminance", OIIO::TypeDesc::FLOAT, &y))
-        image.white_luminance = y;
-    image.icc_profile = icc_profile_of(spec);
-    if (!read_samples(*in, image))
-        return refuse("the image cannot be read: its pixels are damaged");
+    const auto header = read_image_header(BorrowedSource(bytes));
+    if (!header) return tl::unexpected(header.error());
+    if (header->pixels() == 0) return refuse("the image is empty");
+    if (auto fits = check_pixels(header->width, header->height, max_pixels); !fits)
+        return tl::unexpected(std::move(fits).error());
+    auto image = find_format(bytes)->decode(bytes, *header);
+    if (image) turn_upright(*image);
     return image;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/core/result.h"
+#include "renderer/film/transfer_curve.h"
 
 namespace bouguer::renderer {
 
@@ -19,6 +20,7 @@ enum class ImageFormat : std::uint8_t { Png, Jpeg, Exr };
 inline constexpr const char* kUnknownImageFormat = "neither a PNG nor a JPEG nor an EXR file";
 inline constexpr const char* kDamagedImageHeader =
     "the image cannot be read: its header is damaged";
+inline constexpr const char* kDamagedPixels = "the image cannot be read: its pixels are damaged";
 
 /// Told by the first bytes; empty when it is none of them.
 [[nodiscard]] std::optional<ImageFormat> image_format_of(std::string_view bytes);
@@ -31,23 +33,26 @@ using ImageSamples =
 struct DecodedImage {
     ImageFormat format = ImageFormat::Png;
     int width = 0, height = 0;
-    int channels = 0;      ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGB and alpha
-    ImageSamples samples;  ///< [height][width][channels], row 0 on top; alpha not multiplied in
-                           ///< but in EXR, where files have it so
-    int orientation = 1;   ///< of Exif: 1 is upright
-    /// x, y of red, green, blue and white; EXR files that say so only.
+    int channels = 0;        ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGB and alpha
+    ImageSamples samples;    ///< [height][width][channels], row 0 on top; alpha not multiplied in
+                             ///< but in EXR, where files have it so
+    int orientation = 1;     ///< as Exif counts, 1 is upright; decode_image() gives no other
+    TransferCurve transfer;  ///< what a PNG file says of it
+    /// x, y of red, green, blue and white, where an EXR or PNG file tells them.
     std::optional<std::array<float, 8>> chromaticities;
-    std::optional<float> white_luminance;   ///< cd/m^2 of value 1; EXR files that say so only
-    std::vector<std::uint8_t> icc_profile;  ///< its bytes; empty where the file has none
+    std::optional<float> white_luminance;  ///< cd/m^2 of value 1; EXR files that say so only
+    /// Its bytes; empty where the file has none. Where it has one, nothing else is said above.
+    std::vector<std::uint8_t> icc_profile;
 
     /// The samples as floats, those of 8 and 16 bits in [0, 1].
     [[nodiscard]] std::vector<float> values() const;
 };
 
-/// Reads the bytes of an image file: of several pictures in one the first. Error{InvalidInput}:
-/// "bad-image": another format, damaged, deep, of other channels than those above, CMYK, or with a
-/// data window that is not the picture; "over-limit": more than `max_pixels`, which is found before
-/// memory is taken for them. Thread-safe.
+/// Reads the bytes of an image file that is whole, upright as its Exif says. Error{InvalidInput}:
+/// "bad-image": another format, broken off or damaged anywhere, what read_image_header(),
+/// decode_jpeg() and png_colour() refuse, an EXR that is turned (its readers do not agree whether)
+/// or whose data window is not the picture; "over-limit": more than `max_pixels`, which is found
+/// before memory is taken for them. Thread-safe.
 [[nodiscard]] Result<DecodedImage> decode_image(std::string_view bytes,
                                                 std::size_t max_pixels = 100'000'000);
 

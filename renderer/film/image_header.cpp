@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/film/image_header.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace bouguer::renderer {
 namespace {
@@ -12,6 +15,7 @@ namespace {
 constexpr std::uint64_t kLargestSide = (1ULL << 31U) - 1;
 /// Segments or attributes that are passed over at most: each is a read.
 constexpr int kMostParts = 4096;
+constexpr std::size_t kMostChannels = 1024;
 
 /// Walks over a file. What is not there is read as zeros and remembered.
 class Cursor {
@@ -65,10 +69,14 @@ class Cursor {
     std::optional<Error> error_;
 };
 
+/// Why a picture is refused; empty when it is not.
+using Refusal = std::string;
+const Refusal kDamaged = kDamagedImageHeader;
+
 /// IHDR is the first chunk: length, type, width, height, depth, colour type.
-bool read_png(Cursor& file, ImageHeader& header) {
+Refusal read_png(Cursor& file, ImageHeader& header) {
     file.skip(8 + 4);
-    if (file.big_endian(4) != 0x49484452) return false;  // "IHDR"
+    if (file.big_endian(4) != 0x49484452) return kDamaged;  // "IHDR"
     header.width = file.big_endian(4);
     header.height = file.big_endian(4);
     header.sample_bytes = file.byte() == 16 ? 2 : 1;
@@ -77,7 +85,7 @@ bool read_png(Cursor& file, ImageHeader& header) {
     constexpr std::array<std::uint8_t, 7> kChannels{1, 0, 3, 3, 2, 0, 4};
     const std::uint8_t colour = file.byte();
     header.channels = colour < kChannels.size() ? kChannels[colour] : 0;
-    return header.channels > 0;
+    return header.channels > 0 ? Refusal() : kDamaged;
 }
 
 /// The next marker; bytes that belong to nothing are passed over, as the library does.
@@ -88,69 +96,120 @@ std::uint8_t next_marker(Cursor& file) {
     return marker;
 }
 
+/// Frames of 8 bits that are coded by the cosine transform, in one picture [ITU T.81 table B.1].
+Refusal check_frame(std::uint8_t marker, std::uint8_t bits) {
+    const int kind = marker & 0x0f;
+    if (kind % 4 == 3) return "the image is a lossless JPEG, which is not read";
+    if (kind % 8 > 4) return "the image is a hierarchical JPEG, which is not read";
+    if (bits != 8)
+        return "the image has JPEG samples of " + std::to_string(bits) +
+               " bits; only those of 8 are read";
+    return {};
+}
+
 /// The first frame header SOFn; segments before it are passed over.
-bool read_jpeg(Cursor& file, ImageHeader& header) {
+Refusal read_jpeg(Cursor& file, ImageHeader& header) {
     file.skip(2);
     for (int i = 0; i < kMostParts && !file.failed(); ++i) {
         const std::uint8_t marker = next_marker(file);
-        if (marker == 0x01 || (marker >= 0xd0 && marker <= 0xd7)) continue;  // TEM, RSTn: alone
-        if (marker == 0xd9 || marker == 0xda || marker == 0) return false;   // EOI, SOS
+        if (marker == 0x01 || (marker >= 0xd0 && marker <= 0xd7)) continue;    // TEM, RSTn: alone
+        if (marker == 0xd9 || marker == 0xda || marker == 0) return kDamaged;  // EOI, SOS
         const std::uint64_t length = file.big_endian(2);
         const bool is_frame =
             marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
         if (is_frame) {
-            header.sample_bytes = file.byte() > 8 ? 2 : 1;
+            const std::uint8_t bits = file.byte();
+            header.sample_bytes = 1;
+            const bool is_progressive = marker == 0xc2 || marker == 0xca;
+            header.working_bytes = is_progressive ? 2 : 0;  // all coefficients are kept
             header.height = file.big_endian(2);
             header.width = file.big_endian(2);
             header.channels = file.byte();
-            return true;
+            return file.failed() ? kDamaged : check_frame(marker, bits);
         }
-        if (length < 2) return false;
+        if (length < 2) return kDamaged;
         file.skip(length - 2);
     }
-    return false;
+    return kDamaged;
 }
 
-/// Names of channels up to an empty one, each with 16 bytes of its own.
-int count_channels(Cursor& file) {
-    int channels = 0;
-    while (channels < 1024 && !file.name().empty()) {
-        file.skip(16);
-        ++channels;
+/// What a channel of an EXR file is.
+struct ExrChannel {
+    std::string name;
+    bool is_integer = false, is_sampled = false;  ///< of whole numbers; not one number a pixel
+};
+
+/// Names of channels up to an empty one, each with 16 bytes of its own: type, linearity, sampling.
+std::vector<ExrChannel> read_channels(Cursor& file) {
+    std::vector<ExrChannel> channels;
+    for (std::string name; channels.size() < kMostChannels && !(name = file.name()).empty();) {
+        const bool is_integer = file.little_endian() == 0;
+        file.skip(4);
+        const std::uint32_t across = file.little_endian(), down = file.little_endian();
+        channels.push_back({std::move(name), is_integer, across != 1 || down != 1});
     }
     return channels;
 }
 
+/// Grey or RGB, alone or with alpha, of floats. In the file they stand in the order of their names.
+Refusal check_channels(const std::vector<ExrChannel>& channels) {
+    std::string names, bare;
+    for (const ExrChannel& channel : channels) {
+        names += (names.empty() ? "" : ", ") + channel.name;
+        bare += channel.name + ' ';
+        if (names.size() > 200) break;
+    }
+    if (bare.find("RY ") != std::string::npos || bare.find("BY ") != std::string::npos)
+        return "the image's channels are luminance and chroma (" + names +
+               "), which are not read: store R, G, B";
+    for (const ExrChannel& c : channels) {
+        if (c.is_integer)
+            return "the image's channel " + c.name +
+                   " is of whole numbers, which name things and are no light";
+        if (c.is_sampled) return "the image's channel " + c.name + " has not one number a pixel";
+    }
+    constexpr std::array<std::string_view, 4> kRead{"Y ", "A Y ", "B G R ", "A B G R "};
+    if (std::find(kRead.begin(), kRead.end(), bare) != kRead.end()) return {};
+    return "the image's channels are " + names + "; they must be Y or R, G, B, with or without A";
+}
+
 /// Attributes (name, type, size, value) up to the data window and the channels.
-bool read_exr(Cursor& file, ImageHeader& header) {
-    file.skip(8);
+Refusal read_exr(Cursor& file, ImageHeader& header) {
+    file.skip(4);
+    const std::uint32_t version = file.little_endian();
+    if ((version & 0x1000U) != 0)
+        return "the image has several parts, of which none is known to be meant: store one alone";
+    if ((version & 0x800U) != 0) return "the image has samples in depth, which are not read";
     header.sample_bytes = 4;  // numbers of 16 bits too are read as floats
     bool has_window = false;
     for (int i = 0; i < kMostParts && !file.failed(); ++i) {
         const std::string name = file.name();
-        if (name.empty()) return false;  // the header ends
-        static_cast<void>(file.name());  // its type
+        if (name.empty()) return kDamaged;  // the header ends
+        static_cast<void>(file.name());     // its type
         const std::uint32_t size = file.little_endian();
         if (name == "channels") {
             Cursor inside = file;
-            header.channels = count_channels(inside);
+            const auto channels = read_channels(inside);
+            if (inside.failed()) return kDamaged;
+            if (Refusal refusal = check_channels(channels); !refusal.empty()) return refusal;
+            header.channels = static_cast<int>(channels.size());
         } else if (name == "dataWindow") {
             Cursor inside = file;
             std::array<std::int64_t, 4> box{};  // x and y of its first and of its last pixel
             for (std::int64_t& side : box) side = static_cast<std::int32_t>(inside.little_endian());
-            if (inside.failed() || box[2] < box[0] || box[3] < box[1]) return false;
+            if (inside.failed() || box[2] < box[0] || box[3] < box[1]) return kDamaged;
             header.width = static_cast<std::uint64_t>(box[2] - box[0]) + 1;
             header.height = static_cast<std::uint64_t>(box[3] - box[1]) + 1;
             has_window = true;
         }
-        if (has_window && header.channels > 0) return true;
+        if (has_window && header.channels > 0) return {};
         file.skip(size);
     }
-    return false;
+    return kDamaged;
 }
 
-tl::unexpected<Error> refuse(const char* reason) {
-    return fail(ErrorKind::InvalidInput, reason, "bad-image");
+tl::unexpected<Error> refuse(std::string reason) {
+    return fail(ErrorKind::InvalidInput, std::move(reason), "bad-image");
 }
 
 }  // namespace
@@ -166,10 +225,11 @@ Result<ImageHeader> read_image_header(const ByteSource& file) {
     const auto read = *format == ImageFormat::Png    ? &read_png
                       : *format == ImageFormat::Jpeg ? &read_jpeg
                                                      : &read_exr;
-    const bool is_good = read(cursor, header) && !cursor.failed();
+    Refusal refusal = read(cursor, header);
     if (cursor.error()) return tl::unexpected(*cursor.error());
-    if (!is_good || header.width > kLargestSide || header.height > kLargestSide)
+    if (cursor.failed() || header.width > kLargestSide || header.height > kLargestSide)
         return refuse(kDamagedImageHeader);
+    if (!refusal.empty()) return refuse(std::move(refusal));
     return header;
 }
 

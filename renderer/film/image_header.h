@@ -14,17 +14,21 @@ struct ImageHeader {
     std::uint64_t width = 0, height = 0;
     int channels = 0;      ///< as decode_image() gives them, as far as the first bytes tell
     int sample_bytes = 1;  ///< likewise: 1, 2 or 4
+    /// What decoding takes a sample besides: of a progressive JPEG, which it must have whole.
+    int working_bytes = 0;
 
     [[nodiscard]] std::uint64_t pixels() const { return width * height; }
     /// Of memory that decoding takes.
     [[nodiscard]] std::uint64_t decoded_bytes() const {
-        return pixels() * static_cast<std::uint64_t>(channels * sample_bytes);
+        return pixels() * static_cast<std::uint64_t>(channels * (sample_bytes + working_bytes));
     }
 };
 
 /// Reads some KiB from the beginning of the file, and of what stands before the header of a picture
 /// (the segments of JPEG, the attributes of EXR) only where it ends. Of several pictures the first.
-/// Sides are below 2^31. Error{InvalidInput}, "bad-image": another format, no header.
+/// Sides are below 2^31. Error{InvalidInput}, "bad-image": another format, no header; a JPEG that
+/// is lossless, hierarchical or not of 8 bits; an EXR file of several parts, with samples in depth,
+/// or with channels other than Y or R, G, B, with or without A, of floats, one a pixel.
 /// [PNG 1.2 §4.1.1; ITU T.81 §B; OpenEXR file layout]
 [[nodiscard]] Result<ImageHeader> read_image_header(const ByteSource& file);
 

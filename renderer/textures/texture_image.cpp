@@ -34,8 +34,6 @@ bool is_rec709(const std::array<float, 8>& c) {
 }
 
 Result<void> check_kind(const DecodedImage& image) {
-    if (image.orientation != 1)
-        return refuse("the image is turned by its Exif orientation: store it upright");
     if (image.channels >= 3 && image.chromaticities && !is_rec709(*image.chromaticities))
         return refuse("the image's chromaticities are not those of Rec.709");
     return {};

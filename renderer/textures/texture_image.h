@@ -28,7 +28,7 @@ using TextureImagePtr = std::shared_ptr<const TextureImage>;
 
 /// Reads the bytes of a PNG, JPEG or EXR file. Error{InvalidInput}, besides those of
 /// decode_image(): "bad-image": transparent somewhere (a reflectance has no transparency; alpha 1
-/// is dropped), not upright by its Exif, an EXR of colours with other chromaticities than those of
+/// is dropped), an EXR of colours with other chromaticities than those of
 /// Rec.709; "out-of-range" and "not-finite": a number below 0, infinite or none, with its pixel.
 /// Thread-safe.
 [[nodiscard]] Result<TextureImagePtr> read_texture_image(std::string_view bytes,

@@ -7,13 +7,6 @@
 namespace bouguer::tests {
 namespace {
 
-std::string big_endian(std::uint32_t number, int bytes = 4) {
-    std::string text;
-    for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8)
-        text += static_cast<char>((number >> shift) & 255U);
-    return text;
-}
-
 /// CRC-32 as in the PNG specification, annex D.
 std::uint32_t crc_of(const std::string& bytes) {
     std::uint32_t crc = 0xffffffffU;
@@ -33,12 +26,20 @@ std::uint32_t adler_of(const std::string& bytes) {
     return b << 16U | a;
 }
 
-std::string chunk(const std::string& type, const std::string& data) {
+}  // namespace
+
+std::string big_endian(std::uint32_t number, int bytes) {
+    std::string text;
+    for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8)
+        text += static_cast<char>((number >> shift) & 255U);
+    return text;
+}
+
+std::string png_chunk(const std::string& type, const std::string& data) {
     return big_endian(static_cast<std::uint32_t>(data.size())) + type + data +
            big_endian(crc_of(type + data));
 }
 
-/// Stored blocks [RFC 1950, 1951].
 std::string zlib_of(const std::string& data) {
     std::string out = "\x78\x01";
     constexpr std::size_t kBlock = 65535;
@@ -51,8 +52,6 @@ std::string zlib_of(const std::string& data) {
     }
     return out + big_endian(adler_of(data));
 }
-
-}  // namespace
 
 std::string png_of(int width, int height, int channels, int bits,
                    const std::vector<std::uint16_t>& numbers) {
@@ -68,8 +67,14 @@ std::string png_of(int width, int height, int channels, int bits,
         if (i % row_size == 0) rows += '\0';  // not filtered
         rows += big_endian(numbers[i], bits / 8);
     }
-    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", zlib_of(rows)) +
-           chunk("IEND", "");
+    return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) + png_chunk("IDAT", zlib_of(rows)) +
+           png_chunk("IEND", "");
+}
+
+std::string with_png_chunk(const std::string& png, const std::string& name,
+                           const std::string& data) {
+    constexpr std::size_t kBehindHeader = 8 + 12 + 13;
+    return png.substr(0, kBehindHeader) + png_chunk(name, data) + png.substr(kBehindHeader);
 }
 
 }  // namespace bouguer::tests

@@ -62,14 +62,136 @@ TEST(DecodeImage, RefusesWhatIsNoImage) {
         EXPECT_EQ(code_of(decode_image(text)), "bad-image") << text;
 }
 
-TEST(DecodeImage, RefusesDamagedFiles) {
+/// Every way to write a picture.
+std::vector<std::string> whole_files() {
+    const Picture p{9, 7, std::vector<float>(9UL * 7 * 3, 0.5F)};
+    return {encode_png(p, {}).value(), encode_exr(p, {}).value(),
+            png_of(9, 7, 1, 8, std::vector<std::uint16_t>(9UL * 7)), tests::rgb_jpeg(),
+            tests::progressive_jpeg()};
+}
+
+// As after an upload that breaks off: no length but the whole one gives a picture.
+TEST(DecodeImage, RefusesFilesThatBreakOffAnywhere) {
+    for (const std::string& whole : whole_files()) {
+        const auto image = decode_image(whole);
+        ASSERT_TRUE(image) << image.error().message;
+        for (std::size_t size = 0; size < whole.size(); ++size)
+            EXPECT_EQ(code_of(decode_image(whole.substr(0, size))), "bad-image")
+                << size << " of " << whole.size();
+    }
+}
+
+// What follows the end belongs to nobody: cameras put previews there.
+TEST(DecodeImage, ReadsNothingBehindTheEnd) {
+    for (const std::string& whole : whole_files()) {
+        const auto more = decode_image(whole + "more");
+        ASSERT_TRUE(more) << more.error().message;
+        EXPECT_EQ(more->values(), decode_image(whole)->values());
+    }
+}
+
+// Each chunk has a check sum, and its name is read by it; IEND is the end.
+TEST(DecodeImage, RefusesPngWithAnyByteChanged) {
+    const std::string whole = tests::with_png_chunk(
+        png_of(3, 2, 3, 8, std::vector<std::uint16_t>(18, 77)), "gAMA", tests::big_endian(45455));
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        std::string damaged = whole;
+        damaged[i] = static_cast<char>(damaged[i] ^ 0x10);
+        EXPECT_FALSE(decode_image(damaged)) << i;
+    }
+}
+
+/// The reason why a file is refused.
+std::string reason(const std::string& file) {
+    const auto image = decode_image(file);
+    return image ? "it is read" : image.error().message;
+}
+
+void expect_reason(const std::string& file, const std::string& words) {
+    EXPECT_NE(reason(file).find(words), std::string::npos) << reason(file) << "\n" << words;
+}
+
+/// `text` with the first `from` in it as `to`.
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos);
+    return text.replace(at, from.size(), to);
+}
+
+TEST(DecodeImage, SaysWhereAPngIsDamaged) {
+    const std::string whole = png_of(1, 1, 1, 8, {200});
+    expect_reason(replaced(whole, "IDAT", "IDAt"), "chunk IDAt at byte 33");
+    expect_reason(whole.substr(0, 40), "breaks off");
+    expect_reason(whole.substr(0, 50), "chunk IDAT at byte 33");
+    const std::string gamma = tests::big_endian(100000);
+    const std::string once = tests::with_png_chunk(whole, "gAMA", gamma);
+    expect_reason(tests::with_png_chunk(once, "gAMA", gamma), "twice");
+    expect_reason(tests::with_png_chunk(whole, "ABCD", ""), "no known kind");
+    expect_reason(tests::with_png_chunk(whole, "IEND", ""), "before any pixels");
+    // 2 bytes a row are wanted; the chunk's own check sum is right
+    expect_reason(tests::with_png_chunk(whole, "IDAT", tests::zlib_of("\1")), "1 bytes of 2");
+    std::string sum = tests::zlib_of(std::string("\0\1", 2));
+    sum.back() = 'x';
+    expect_reason(tests::with_png_chunk(whole, "IDAT", sum), "damaged");
+    expect_reason(tests::with_png_chunk(whole, "IDAT", tests::zlib_of("123")), "damaged");
+}
+
+// Seven passes over a picture of 3 x 5, in rows of their own [PNG 3rd ed. §8]: pass 1 has 1 x 1
+// pixels, 4 has 1 x 2, 5 has 2 x 1, 6 has 1 x 3 and 7 has 3 x 2; 3 has 1 x 1 and 2 none.
+TEST(DecodeImage, CountsThePixelsOfInterlacedPng) {
+    std::string png = "\x89PNG\r\n\x1a\n";
+    png += tests::png_chunk(
+        "IHDR", tests::big_endian(3) + tests::big_endian(5) + std::string("\x08\0\0\0\1", 5));
+    const auto of = [&](std::size_t bytes) {
+        return png + tests::png_chunk("IDAT", tests::zlib_of(std::string(bytes, '\0'))) +
+               tests::png_chunk("IEND", "");
+    };
+    constexpr std::size_t kBytes = 2 + 2 + 2 * 2 + 3 + 3 * 2 + 2 * 4;
+    EXPECT_EQ(reason(of(kBytes)), "it is read");
+    EXPECT_NE(reason(of(kBytes - 1)), "it is read");
+    EXPECT_NE(reason(of(kBytes + 1)), "it is read");
+}
+
+TEST(DecodeImage, SaysWhereAJpegIsDamaged) {
+    const std::string jpeg = tests::rgb_jpeg();
+    expect_reason(jpeg.substr(0, jpeg.size() - 2), "Premature end");
+    expect_reason(jpeg.substr(0, jpeg.size() - 6), " of " + std::to_string(jpeg.size() - 6));
+    // the pixels break off, but somebody has put an end there
+    expect_reason(jpeg.substr(0, jpeg.size() - 8) + "\xff\xd9", "premature end of data segment");
+}
+
+// Cut before its last scan and closed again, every pixel would lack a bit.
+TEST(DecodeImage, RefusesJpegWithoutAllItsScans) {
+    const std::string whole = tests::progressive_jpeg();
+    int cuts = 0;
+    for (std::size_t at = whole.find("\xff\xda");
+         (at = whole.find("\xff\xda", at + 1)) != std::string::npos; ++cuts)
+        EXPECT_EQ(code_of(decode_image(whole.substr(0, at) + "\xff\xd9")), "bad-image") << at;
+    EXPECT_EQ(cuts, 9);
+}
+
+// Each of them is a pass over the picture: a few bytes that take long.
+TEST(DecodeImage, RefusesJpegOfVeryManyScans) {
+    const std::string whole = tests::progressive_jpeg();
+    const std::size_t table = whole.rfind("\xff\xc4"), end = whole.size() - 2;
+    std::string many = whole.substr(0, end);
+    for (int i = 0; i < 100; ++i) many += whole.substr(table, end - table);
+    EXPECT_EQ(code_of(decode_image(many + "\xff\xd9")), "bad-image");
+}
+
+TEST(DecodeImage, RefusesExrWithDamagedPixels) {
     const Picture p{64, 48, std::vector<float>(64UL * 48 * 3, 0.5F)};
-    for (const std::string& whole : {encode_png(p, {}).value(), encode_exr(p, {}).value(),
-                                     png_of(64, 48, 1, 8, std::vector<std::uint16_t>(64UL * 48))}) {
-        EXPECT_TRUE(decode_image(whole));
+    std::string exr = encode_exr(p, {}).value();
+    exr[exr.size() - 20] = static_cast<char>(exr[exr.size() - 20] ^ 0x55);
+    EXPECT_EQ(code_of(decode_image(exr)), "bad-image");
+}
+
+TEST(DecodeImage, RefusesMorePixelsThanAllowed) {
+    for (const std::string& whole :
+         {png_of(64, 48, 1, 8, std::vector<std::uint16_t>(64UL * 48)),
+          encode_exr({64, 48, std::vector<float>(64UL * 48 * 3)}, {}).value()}) {
+        EXPECT_TRUE(decode_image(whole, 64 * 48));
         EXPECT_EQ(code_of(decode_image(whole, /*max_pixels=*/64 * 48 - 1)), "over-limit");
-        for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{20}})
-            EXPECT_FALSE(decode_image(whole.substr(0, size))) << size;
     }
 }
 
@@ -78,6 +200,46 @@ TEST(DecodeImage, RefusesBombsBeforeItTakesMemory) {
     const auto image = decode_image(png_of(65535, 65535, 4, 16, {0}));
     EXPECT_EQ(code_of(image), "over-limit");
     EXPECT_NE(image.error().message.find("65535 x 65535"), std::string::npos);
+}
+
+// Eight ways to store the same picture, 3 x 2:  1 2 3
+//                                               4 5 6
+// by what Exif says row 0 and column 0 of the stored one are.
+TEST(DecodeImage, TurnsWhatIsStoredTurned) {
+    using Numbers = std::vector<std::uint16_t>;
+    const Numbers upright{1, 2, 3, 4, 5, 6};
+    const std::array<Numbers, 9> stored{upright,
+                                        upright,
+                                        Numbers{3, 2, 1, 6, 5, 4},   // top, right
+                                        Numbers{6, 5, 4, 3, 2, 1},   // bottom, right
+                                        Numbers{4, 5, 6, 1, 2, 3},   // bottom, left
+                                        Numbers{1, 4, 2, 5, 3, 6},   // left, top
+                                        Numbers{3, 6, 2, 5, 1, 4},   // right, top
+                                        Numbers{6, 3, 5, 2, 4, 1},   // right, bottom
+                                        Numbers{4, 1, 5, 2, 6, 3}};  // left, bottom
+    for (int orientation = 0; orientation <= 8; ++orientation) {
+        const bool is_on_its_side = orientation > 4;
+        const std::string png = png_of(is_on_its_side ? 2 : 3, is_on_its_side ? 3 : 2, 1, 16,
+                                       stored.at(static_cast<std::size_t>(orientation)));
+        const auto image =
+            decode_image(tests::with_png_chunk(png, "eXIf", tests::exif_of(orientation).substr(6)));
+        ASSERT_TRUE(image) << image.error().message;
+        EXPECT_EQ(image->width, 3) << orientation;
+        EXPECT_EQ(image->orientation, 1);
+        EXPECT_EQ(std::get<1>(image->samples), upright) << orientation;
+    }
+}
+
+// 0 and 9 are none.
+TEST(DecodeImage, TurnsJpegByItsExif) {
+    for (const auto& [orientation, width] : {std::pair{0, 16}, {1, 16}, {3, 16}, {6, 8}, {9, 16}}) {
+        const auto image = decode_image(
+            tests::with_jpeg_segment(tests::rgb_jpeg(), '\xe1', tests::exif_of(orientation)));
+        ASSERT_TRUE(image) << image.error().message;
+        EXPECT_EQ(image->width, width) << orientation;
+        const auto& bytes = std::get<0>(image->samples);  // red was on the left
+        EXPECT_NEAR(bytes[0], orientation == 3 ? 20 : 200, 1) << orientation;
+    }
 }
 
 }  // namespace

@@ -66,6 +66,79 @@ TEST(ImageHeader, RefusesWhatIsNone) {
     EXPECT_EQ(code_of(std::string("\xff\xd8\xff") + std::string(100'000, 'x')), "bad-image");
 }
 
+std::string reason(const std::string& bytes) {
+    const auto header = read_image_header(MemorySource(bytes));
+    return header ? "it is read" : header.error().message;
+}
+
+std::string little_endian(std::uint32_t number) {
+    std::string bytes;
+    for (unsigned i = 0; i < 4; ++i) bytes += static_cast<char>(number >> 8 * i & 255U);
+    return bytes;
+}
+
+struct Channel {
+    std::string name;
+    std::uint32_t type = 1, sampling = 1;  ///< 0 whole numbers, 1 and 2 floats of 16 and 32 bits
+};
+
+/// The beginning of an EXR file of 1 x 1 pixels. `flags`: of its version field.
+std::string exr_of(const std::vector<Channel>& channels, std::uint32_t flags = 0) {
+    std::string list;
+    for (const Channel& c : channels)
+        list += c.name + '\0' + little_endian(c.type) + little_endian(0) +
+                little_endian(c.sampling) + little_endian(c.sampling);
+    list += '\0';
+    const auto attribute = [](const std::string& name, const std::string& type,
+                              const std::string& value) {
+        return name + '\0' + type + '\0' + little_endian(static_cast<std::uint32_t>(value.size())) +
+               value;
+    };
+    return "\x76\x2f\x31\x01" + little_endian(2 + flags) + attribute("channels", "chlist", list) +
+           attribute("dataWindow", "box2i", std::string(16, '\0'));
+}
+
+// Whole numbers are names of things. Which of several parts is meant nobody says.
+TEST(ImageHeader, RefusesExrThatIsNoPicture) {
+    for (const auto& channels : {std::vector<Channel>{{"Y"}},
+                                 {{"A"}, {"Y", 2}},
+                                 {{"B"}, {"G"}, {"R"}},
+                                 {{"A"}, {"B"}, {"G"}, {"R"}}})
+        EXPECT_EQ(reason(exr_of(channels)), "it is read");
+    const std::vector<Channel> grey{{"Y"}};
+    const std::pair<std::string, std::string> cases[]{
+        {exr_of(grey, 0x1000), "several parts"},
+        {exr_of(grey, 0x800), "in depth"},
+        {exr_of({{"Y", 0}}), "whole numbers"},
+        {exr_of({{"B"}, {"G", 0}, {"R"}}), "channel G is of whole numbers"},
+        {exr_of({{"B", 1, 2}, {"G"}, {"R", 1, 2}}), "channel B has not one number a pixel"},
+        {exr_of({{"BY", 1, 2}, {"RY", 1, 2}, {"Y"}}), "luminance and chroma"},
+        {exr_of({{"B"}, {"G"}, {"R"}, {"Z"}}), "are B, G, R, Z"},
+        {exr_of({{"light.B"}, {"light.G"}, {"light.R"}}), "are light.B"},
+        {exr_of({{"B"}, {"R"}}), "are B, R"},
+    };
+    for (const auto& [file, words] : cases) {
+        EXPECT_NE(reason(file).find(words), std::string::npos) << reason(file) << "\n" << words;
+        EXPECT_EQ(code_of(file), "bad-image");
+    }
+}
+
+TEST(ImageHeader, RefusesJpegOfRareKinds) {
+    const auto of = [](const char* marker, char bits) {
+        return std::string("\xff\xd8\xff") + marker + std::string("\0\x11", 2) + bits +
+               std::string("\0\x08\0\x08\x03", 5);
+    };
+    for (const char* read : {"\xc0", "\xc1", "\xc2", "\xc9", "\xca"})
+        EXPECT_EQ(reason(of(read, 8)), "it is read");
+    for (const char* lossless : {"\xc3", "\xc7", "\xcb", "\xcf"})
+        EXPECT_NE(reason(of(lossless, 8)).find("lossless"), std::string::npos);
+    for (const char* hierarchical : {"\xc5", "\xc6", "\xcd", "\xce"})
+        EXPECT_NE(reason(of(hierarchical, 8)).find("hierarchical"), std::string::npos);
+    EXPECT_NE(reason(of("\xc1", 12)).find("12 bits"), std::string::npos);
+    // all coefficients, of 16 bits each, are kept until the last scan
+    EXPECT_EQ(read_image_header(MemorySource(of("\xc2", 8)))->decoded_bytes(), 8U * 8 * 3 * 3);
+}
+
 // What stands before the header is passed over and not read.
 TEST(ImageHeader, ReadsLittleOfALargeFile) {
     std::string png("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x10\0\0\0\x08\0\x10\x06\0\0\0", 29);
