@@ -36,6 +36,9 @@ struct CacheLineAllocator {
 };
 using Float8Vector = std::vector<Float8, CacheLineAllocator<Float8>>;
 
+/// The 12 leading bits of x: what is left of the 24 of a float when the others are cut off.
+[[nodiscard]] float leading_bits(double x);
+
 /// Numbers as sums: `high` has 12 bits, so that the product of two such numbers is exact; `low` is
 /// what is missing.
 struct SplitRow {
@@ -69,11 +72,6 @@ class SpectralTable {
 // The loops of the shading, on rows of `blocks` Float8s each. Compiled for several instruction sets
 // and chosen when the program starts; the arithmetic is lane by lane and never contracted, so all
 // give the same bits.
-
-/// weight *= e^(log_t * length): Bouguer's law along a path. log_t <= 0, length >= 0. Right to 4e-7
-/// of the result whatever the exponent: it is not rounded to single precision, where an optical
-/// depth of 50 would cost 4e-6. 0 below e^-87.
-void attenuate(Float8* weight, SplitRow log_t, double length, std::size_t blocks);
 
 /// The largest value of a row, at least 0.
 [[nodiscard]] float largest(const Float8* row, std::size_t blocks);

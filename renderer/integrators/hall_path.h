@@ -16,14 +16,16 @@ class HallScratch final : public TraceScratch {
   public:
     HallScratch(const HallTables& tables, const Geometry& geometry)
         : radiance(tables.spectra.blocks()),
-          light(tables.spectra.blocks()),
+          numbers(tables.spectra.blocks()),
+          tint(tables.spectra.blocks()),
           colours(tables.spectra),
           colours_in_shadow(tables.spectra),
           rays(tables.spectra.blocks()),
           interfaces(geometry, tables.bodies) {}
 
     Float8Vector radiance;                      ///< of the sample, so far
-    Float8Vector light;                         ///< tint of a shadow ray, or the ambient illuminant
+    Float8Vector numbers;                       ///< what is used at once
+    Throughput tint;                            ///< what bodies leave of the light of a lamp
     SurfaceColours colours, colours_in_shadow;  ///< where a ray is; where its shadow rays are
     RayQueue rays;
     InterfaceFinder interfaces;

@@ -15,11 +15,6 @@
 
 namespace bouguer::renderer {
 
-inline double attenuate_scaled(Float8* row, SplitRow log_t, double b, std::size_t blocks) {
-    attenuate(row, log_t, b, blocks);
-    return 1;
-}
-
 /// Kinds of random numbers: at one node of the tree of rays, or of a whole sample.
 enum Dimension : std::uint64_t {
     kDimensionEnvironment = 1,
@@ -61,7 +56,7 @@ class HallWalk {
                 book(ray, counters_.rays_cut_by_threshold, cut_by_threshold_);
             } else {
                 const float before = found_;
-                const double weight = ray.path.weight();
+                const double weight = ray.path.weight;
                 follow(ray);
                 found_ = largest(scratch_.radiance.data(), blocks_);
                 brightest_ = std::max(brightest_, (found_ - before) / weight);
@@ -79,7 +74,7 @@ class HallWalk {
         ray.d = camera_ray.d;
         ray.path = {};
         if constexpr (Transparency) ray.path.media = camera_media(camera_ray.o);
-        std::fill_n(scratch_.rays.row(ray), blocks_, splat(1));
+        scratch_.rays.throughput(ray).set_to_ones();
         scratch_.rays.add(ray);
         brightest_ = static_cast<double>(tables_.brightest_emission);
     }
@@ -110,16 +105,16 @@ class HallWalk {
     void follow(PendingRay& ray) {
         ++nodes_;
         Path& path = ray.path;
-        row_ = scratch_.rays.row(ray);
+        carried_ = &scratch_.rays.throughput(ray);
         SurfacePoint at;
         if (!find(ray.start, ray.d, kInfinity, path.media, at.face)) return leave_scene(ray);
         describe(ray.d, at);
         if constexpr (Transparency) {
-            absorb(path.media, at.face.hit.t, row_, path.scale);
+            absorb(path.media, at.face.hit.t, *carried_);
             if (at.face.matter == Matter::Opaque) note_end(path.media, at.face.hit);
         }
         if (at.surface->emission)
-            add(path, 1, colours_at(at).row(*at.surface->emission, SurfaceColours::kFirst));
+            add(1, colours_at(at).row(*at.surface->emission, SurfaceColours::kFirst));
         add_lamps(at, path);
         if (tables_.environment) add_environment(at, path);
         if constexpr (Ambient) add_ambient(at, path);
@@ -131,9 +126,9 @@ class HallWalk {
             for (const BodyId body : ray.path.media) {
                 if (!tables_.bodies.may_leave_along(body, ray.d)) lose(body);
             }
-            absorb(ray.path.media, kEndless, row_, ray.path.scale);
+            absorb(ray.path.media, kEndless, *carried_);
         }
-        if (tables_.environment) add(ray.path, 1, tables_.row(*tables_.environment));
+        if (tables_.environment) add(1, tables_.row(*tables_.environment));
     }
 
     /// The next interface along `d`; without transparency, the next surface.
@@ -164,11 +159,10 @@ class HallWalk {
     }
 
     /// Equation 1 over a segment of length b inside the body that is there.
-    void absorb(const MediumStack& media, Real b, Float8* row, double& scale) const {
+    void absorb(const MediumStack& media, Real b, Throughput& throughput) const {
         const Surface* inside = inside_of(media, tables_);
-        if (inside == nullptr || !inside->log_transmittance) return;
-        scale *= attenuate_scaled(row, tables_.spectra.split_row(*inside->log_transmittance), b,
-                                  blocks_);
+        if (inside != nullptr && inside->absorption)
+            throughput.absorb(*inside->absorption, tables_.spectra, b);
     }
 
     // ---- bodies that a ray lost track of ----
@@ -194,11 +188,10 @@ class HallWalk {
 
     // ---- local terms ----
 
-    /// radiance += throughput * scale * a * b * c
-    void add(const Path& path, double scale, const Float8* a, const Float8* b = nullptr,
-             const Float8* c = nullptr) {
-        accumulate(scratch_.radiance.data(), row_, static_cast<float>(path.scale * scale), a, b, c,
-                   blocks_);
+    /// radiance += throughput * tint * scale * a * b
+    void add(double scale, const Float8* a, const Float8* b = nullptr,
+             const Throughput* tint = nullptr) {
+        carried_->accumulate(scratch_.radiance.data(), scale, a, b, tint);
     }
 
     /// First terms of equations 3 and 4: every lamp by itself.
@@ -216,7 +209,7 @@ class HallWalk {
             const Response response =
                 behind ? transmit(at, light.wi, path)
                        : at.surface->model->reflect(at.n, at.wo, light.wi, colours_at(at));
-            add_if_visible(at, light.wi, light.distance, behind, path, light.scale,
+            add_if_visible(at, light.wi, light.distance, behind, path.media, light.scale,
                            tables_.row(tables_.light_emission[l]), response);
         }
     }
@@ -232,42 +225,36 @@ class HallWalk {
         const Vec2 u = sampler_.get_2d(mix(path.node) + kDimensionEnvironment);
         const auto sample = at.surface->model->sample(at.n, at.wo, u, colours_at(at));
         if (!sample || dot(at.ng, sample->wi) <= 0) return;
-        add_if_visible(at, sample->wi, kInfinity, false, path, 1, tables_.row(*tables_.environment),
-                       sample->response);
+        add_if_visible(at, sample->wi, kInfinity, false, path.media, 1,
+                       tables_.row(*tables_.environment), sample->response);
     }
 
     void add_if_visible(const SurfacePoint& at, Vec3 wi, Real distance, bool behind,
-                        const Path& path, double scale, const Float8* emission,
+                        const MediumStack& media, double scale, const Float8* emission,
                         const Response& response) {
         const auto gives = [&](const Term& term) {
             return scale * static_cast<double>(term.scale) > 0;
         };
         if (std::none_of(response.begin(), response.end(), gives)) return;
-        Tint tint;
-        if (!arrives(at, wi, distance, behind, path.media, tint)) return;
+        bool is_tinted = false;
+        if (!arrives(at, wi, distance, behind, media, is_tinted)) return;
         for (const Term& term : response) {
             if (!gives(term)) continue;
-            add(path, scale * tint.scale * static_cast<double>(term.scale), emission, term.colour,
-                tint.is_tinted ? scratch_.light.data() : nullptr);
+            add(scale * static_cast<double>(term.scale), emission, term.colour,
+                is_tinted ? &scratch_.tint : nullptr);
         }
     }
 
-    /// What bodies in the way of light leave of it: `scale` times scratch.light, if that is used.
-    struct Tint {
-        bool is_tinted = false;
-        double scale = 1;
-    };
-
-    /// Whether light from wi gets to the point, and what of it.
+    /// Whether light from wi gets to the point; if tinted, then by scratch.tint.
     bool arrives(const SurfacePoint& at, Vec3 wi, Real distance, bool behind,
-                 const MediumStack& media, Tint& tint) {
+                 const MediumStack& media, bool& is_tinted) {
         RayStart start = at.face.start(behind);
         if (at.face.matter == Matter::Opaque && !at.face.is_crowded) start_from_smooth(at, start);
         if constexpr (!Transparency) {
             ++counters_.rays;
             return !scene_.geometry().occluded({start.origin(wi), wi}, distance);
         }
-        return light_passes(start, wi, distance, behind ? at.face.beyond : media, tint);
+        return light_passes(start, wi, distance, behind ? at.face.beyond : media, is_tinted);
     }
 
     /// Rays to lamps leave the smooth surface that a mesh stands for, not its facets.
@@ -278,27 +265,26 @@ class HallWalk {
 
     /// Follows a ray to a lamp straight through transparent bodies. False: something opaque is in
     /// the way.
-    bool light_passes(RayStart start, Vec3 wi, Real distance, MediumStack media, Tint& tint) {
-        Float8* row = scratch_.light.data();
+    bool light_passes(RayStart start, Vec3 wi, Real distance, MediumStack media, bool& is_tinted) {
         for (int surfaces = 0; surfaces < kMaxShadowSurfaces; ++surfaces) {
             SurfacePoint at;
             if (!find(start, wi, distance, media, at.face)) {
                 if (media.current() == MediumStack::kOutside) return true;
-                begin_tint(row, tint);
+                begin_tint(is_tinted);
                 note_end_at_lamp(media, {start.p, wi}, distance);
-                absorb(media, std::min(distance, kEndless), row, tint.scale);
+                absorb(media, std::min(distance, kEndless), scratch_.tint);
                 return true;
             }
             if (at.face.matter == Matter::Opaque) {
                 note_end(media, at.face.hit);
                 return false;
             }
-            begin_tint(row, tint);
+            begin_tint(is_tinted);
             describe(wi, at);
-            absorb(media, at.face.hit.t, row, tint.scale);
+            absorb(media, at.face.hit.t, scratch_.tint);
             const Term through = shares(at, media, scratch_.colours_in_shadow).refracted;
             if (through.scale == 0) return false;
-            multiply(row, through.scale, through.colour, blocks_);
+            scratch_.tint.multiply(through);
             media = at.face.beyond;
             start = at.face.start(true);
             distance -= at.face.hit.t;
@@ -307,9 +293,9 @@ class HallWalk {
         return false;
     }
 
-    void begin_tint(Float8* row, Tint& tint) const {
-        if (!tint.is_tinted) std::fill_n(row, blocks_, splat(1));
-        tint.is_tinted = true;
+    void begin_tint(bool& is_tinted) const {
+        if (!is_tinted) scratch_.tint.set_to_ones();
+        is_tinted = true;
     }
 
     /// Second terms of equations 3 and 4: equation 2.
@@ -323,13 +309,13 @@ class HallWalk {
             if (comes_out) return;
             for (const Term& own : at.surface->model->ambient(colours_at(at))) {
                 const double scale = ambient.k_a * static_cast<double>(own.scale);
-                if (scale > 0) add(path, scale, illuminant, own.colour);
+                if (scale > 0) add(scale, illuminant, own.colour);
             }
             return;
         }
         const auto neighbour = [&](std::uint32_t object, Real weight) {
             const Surface& s = tables_.surface_of(object);
-            add(path, ambient.k_a * weight, illuminant,
+            add(ambient.k_a * weight, illuminant,
                 tables_.row(comes_out ? s.neighbour_transmittance : s.neighbour_reflectance));
         };
         if (const auto* given = std::get_if<ExplicitWeights>(&ambient.weights)) {
@@ -342,7 +328,7 @@ class HallWalk {
         // A point that weighs little in the sample gets few of the rays.
         const int most = std::get<HemisphereWeights>(ambient.weights).rays;
         const int rays = static_cast<int>(
-            std::clamp(std::ceil(most * path.weight()), 1.0, static_cast<double>(most)));
+            std::clamp(std::ceil(most * path.weight), 1.0, static_cast<double>(most)));
         const Frame frame(comes_out ? -at.n : at.n);
         for (int i = 0; i < rays; ++i) {
             const Vec2 u =
@@ -358,7 +344,7 @@ class HallWalk {
 
     const Float8* ambient_illuminant(Vec3 p) {
         if (tables_.ambient_illuminant) return tables_.row(*tables_.ambient_illuminant);
-        Float8* sum = scratch_.light.data();
+        Float8* sum = scratch_.numbers.data();
         std::fill_n(sum, blocks_, splat(0));
         for (std::size_t l = 0; l < scene_.lights().size(); ++l) {
             const auto scale = static_cast<float>(scene_.lights()[l].sample(p).scale);
@@ -418,15 +404,13 @@ class HallWalk {
         if (a.scale == 0 && b.scale == 0) return;
         PendingRay& ray = scratch_.rays.open();
         const Path& path = from.path;
-        Float8* row = scratch_.rays.row(ray);
-        const Term& first = a.scale == 0 ? b : a;
-        float peak = blend(row, row_, first.scale, first.colour, a.scale == 0 ? 0 : b.scale,
-                           b.colour, blocks_);
-        if (way.parted) peak = keep_one_wavelength(row);
-        ray.path = {path.depth + 1, mix(path.node + way.number),
-                    *way.media,     path.one_wavelength || way.parted,
-                    path.scale,     peak};
-        if (peak == 0) return scratch_.rays.release(ray);
+        Throughput& throughput = scratch_.rays.throughput(ray);
+        double weight = throughput.blend(*carried_, a, b);
+        if (way.parted)
+            weight = throughput.keep(wavelength().node, wavelength().inverse_probability);
+        ray.path = {path.depth + 1, mix(path.node + way.number), *way.media,
+                    path.one_wavelength || way.parted, weight};
+        if (weight == 0) return scratch_.rays.release(ray);
         if (ray.path.depth > settings_.max_depth || nodes_ >= kMaxNodesPerSample) {
             book(ray, counters_.rays_cut_by_depth, cut_by_depth_);
             return scratch_.rays.release(ray);
@@ -439,35 +423,27 @@ class HallWalk {
     /// Whether a ray can add little to what the sample has found, judged by the brightest light
     /// that the sample and the scene have shown.
     [[nodiscard]] bool is_negligible(const Path& path) const {
-        return path.weight() * brightest_ < settings_.min_throughput * static_cast<double>(found_);
+        return path.weight * brightest_ < settings_.min_throughput * static_cast<double>(found_);
     }
 
     /// Counts a ray that is not followed.
     void book(const PendingRay& ray, std::uint64_t& count, double& weight) {
         ++count;
-        weight += ray.path.scale * luminous_weight(scratch_.rays.row(ray));
+        weight += luminous_weight(scratch_.rays.throughput(ray));
     }
 
-    /// Ends all wavelengths but the sample's own, which takes their place on average. Returns what
-    /// it weighs.
-    float keep_one_wavelength(Float8* row) {
-        const WavelengthSample& kept = wavelength();
-        auto* values = reinterpret_cast<float*>(row);
-        const float weight = values[kept.node] * kept.inverse_probability;
-        std::fill_n(row, blocks_, splat(0));
-        values[kept.node] = weight;
-        return weight;
-    }
-
-    /// The same for the whole tree of rays, so that branches which part in different places agree.
+    /// The one that takes the place of all others where they part. The same for the whole tree of
+    /// rays, so that branches which part in different places agree.
     const WavelengthSample& wavelength() {
         if (!wavelength_) wavelength_ = wavelengths_.sample(sampler_.get_2d(kDimensionWavelength));
         return *wavelength_;
     }
 
     /// Y of a throughput, as if light of constant spectrum and radiance 1 came that way.
-    [[nodiscard]] double luminous_weight(const Float8* weight) const {
-        return basis_.to_xyz(reinterpret_cast<const float*>(weight)).y;
+    [[nodiscard]] double luminous_weight(const Throughput& throughput) const {
+        const double factor = throughput.normalise(scratch_.numbers);
+        if (factor == 0) return 0;
+        return factor * basis_.to_xyz(reinterpret_cast<const float*>(scratch_.numbers.data())).y;
     }
 
     // ---- boundaries ----
@@ -505,7 +481,7 @@ class HallWalk {
     HallScratch& scratch_;
     TraceCounters& counters_;
     const std::size_t blocks_;
-    Float8* row_ = nullptr;  ///< throughput of the ray that is followed, over its path's scale
+    Throughput* carried_ = nullptr;  ///< by the ray that is followed
     int nodes_ = 0;
     float found_ = 0;       ///< the largest number of the sample's radiance so far
     double brightest_ = 0;  ///< the most that a ray of weight 1 has found or may find

@@ -9,22 +9,19 @@
 #include <vector>
 
 #include "renderer/core/hash.h"
-#include "renderer/core/span_math.h"
+#include "renderer/integrators/throughput.h"
 #include "renderer/media/interface.h"
 
 namespace bouguer::renderer {
 
-/// A ray's place in the tree of rays, and what it carries: `scale` times the row of its slot is the
-/// weight with which it reaches the camera.
+/// A ray's place in the tree of rays. The throughput of its slot is the weight with which it
+/// reaches the camera.
 struct Path {
     int depth = 0;
     std::uint64_t node = 1;       ///< names the place
     MediumStack media;            ///< the bodies around the ray
     bool one_wavelength = false;  ///< the others ended where an index parted them
-    double scale = 1;             ///< apart from the row, whose numbers are single
-    float peak = 1;               ///< the largest number of the row, before absorption on the way
-
-    [[nodiscard]] double weight() const { return scale * static_cast<double>(peak); }
+    double weight = 1;            ///< the largest number of it, before absorption on the way
 };
 
 struct PendingRay {
@@ -39,13 +36,14 @@ class RayQueue {
   public:
     explicit RayQueue(std::size_t blocks) : blocks_(blocks) {}
 
-    /// A ray that is not waiting yet, with a row of its own; stays where it is until released.
+    /// A ray that is not waiting yet, with a throughput of its own; stays where it is until
+    /// released.
     PendingRay& open() {
         if (free_.empty()) {
             const std::size_t slot = rays_.size();
             rays_.emplace_back().slot = slot;
             free_.push_back(slot);
-            rows_.emplace_back(blocks_, splat(0));
+            throughputs_.emplace_back(blocks_);
         }
         PendingRay& ray = rays_[free_.back()];
         free_.pop_back();
@@ -54,7 +52,7 @@ class RayQueue {
     void release(const PendingRay& ray) { free_.push_back(ray.slot); }
 
     void add(const PendingRay& ray) {
-        waiting_.push_back({ray.path.weight(), number_++, ray.slot});
+        waiting_.push_back({ray.path.weight, number_++, ray.slot});
         std::push_heap(waiting_.begin(), waiting_.end());
     }
     [[nodiscard]] bool empty() const { return waiting_.empty(); }
@@ -71,7 +69,7 @@ class RayQueue {
         number_ = 0;
     }
 
-    [[nodiscard]] Float8* row(const PendingRay& ray) { return rows_[ray.slot].data(); }
+    [[nodiscard]] Throughput& throughput(const PendingRay& ray) { return throughputs_[ray.slot]; }
 
   private:
     struct Waiting {
@@ -85,7 +83,7 @@ class RayQueue {
 
     std::size_t blocks_;
     std::deque<PendingRay> rays_;
-    std::vector<Float8Vector> rows_;  ///< by slot
+    std::deque<Throughput> throughputs_;  ///< by slot
     std::vector<std::size_t> free_;
     std::vector<Waiting> waiting_;  ///< a heap
     std::uint64_t number_ = 0;

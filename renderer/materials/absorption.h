@@ -17,10 +17,15 @@ struct Absorption {
     Real thickness = 1;
 };
 
-/// Equation 1, T = t^b, as exp(b ln t): puts ln t for one scene unit, in [-1e30, 0], into `table`
-/// and returns the number of the split row. t = 0 gets a logarithm so low that any b > 0 is opaque
-/// while b = 0 still gives 1.
-[[nodiscard]] std::size_t bind_absorption(const Absorption& absorption, const SpectralBasis& basis,
-                                          SpectralTable& table);
+/// ln t for one scene unit, in the numbers of one render.
+struct BoundAbsorption {
+    std::size_t log_t = 0;  ///< a split row, in [-1e30, 0]
+    double steepest = 0;    ///< the largest optical depth of one scene unit, of what is not black
+};
+
+/// Equation 1, T = t^b, as exp(b ln t): puts ln t into `table`. t = 0 gets a logarithm so low that
+/// any b > 0 is opaque while b = 0 still gives 1.
+[[nodiscard]] BoundAbsorption bind_absorption(const Absorption& absorption,
+                                              const SpectralBasis& basis, SpectralTable& table);
 
 }  // namespace bouguer::renderer

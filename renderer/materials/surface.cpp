@@ -10,7 +10,7 @@ void bind_inside(Surface& surface, const Spectrum& ior, const std::optional<Abso
     surface.transmits = true;
     surface.ior = ior.at(kLineD_nm);
     if (!ior.is_constant() && basis.has_wavelengths()) surface.dispersive_ior = &ior;
-    if (absorption) surface.log_transmittance = bind_absorption(*absorption, basis, table);
+    if (absorption) surface.absorption = bind_absorption(*absorption, basis, table);
 }
 
 }  // namespace bouguer::renderer

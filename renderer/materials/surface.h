@@ -21,7 +21,7 @@ struct Surface {
     Real ior = 1;  ///< of the inside, at 587.6 nm
     /// The index by wavelength where it varies, null where it is `ior` everywhere.
     const Spectrum* dispersive_ior = nullptr;
-    std::optional<std::size_t> log_transmittance;  ///< ln t for one scene unit; a split row
+    std::optional<BoundAbsorption> absorption;
 
     /// F_sr^n and F_st^n, means over the surface: what it gives as a neighbour in the ambient sums
     /// of equations 4 and 3.

@@ -82,6 +82,8 @@ double SampledSpectrum::at(double lambda_nm) const {
     if (next == wavelengths_nm_.begin()) return values_.front();
     if (next == wavelengths_nm_.end()) return values_.back();
     const auto i = static_cast<std::size_t>(next - wavelengths_nm_.begin());
+    // A transmittance near 1 loses its logarithm by a rounding.
+    if (values_[i] == values_[i - 1]) return values_[i];
     const double t =
         (lambda_nm - wavelengths_nm_[i - 1]) / (wavelengths_nm_[i] - wavelengths_nm_[i - 1]);
     return (1 - t) * values_[i - 1] + t * values_[i];

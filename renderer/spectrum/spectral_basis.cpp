@@ -14,9 +14,16 @@ namespace {
 /// the compiler may put into vectors.
 constexpr std::size_t kLanes = 4;
 
-std::vector<float> to_floats(const std::array<double, 3>& rgb) {
+std::vector<double> not_negative(const std::array<double, 3>& rgb) {
+    std::vector<double> values;
+    for (const double v : rgb) values.push_back(std::max(v, 0.0));
+    return values;
+}
+
+std::vector<float> to_floats(const std::vector<double>& exact) {
     std::vector<float> values;
-    for (const double v : rgb) values.push_back(static_cast<float>(std::max(v, 0.0)));
+    values.reserve(exact.size());
+    for (const double v : exact) values.push_back(static_cast<float>(v));
     return values;
 }
 
@@ -59,20 +66,23 @@ void SpectralBasis::split_weights() {
         for (const auto& weight : weights_) columns_[c].push_back(weight[c]);
 }
 
-std::vector<float> SpectralBasis::sample(const Spectrum& s) const {
-    std::vector<float> values;
+std::vector<double> SpectralBasis::sample(const Spectrum& s) const {
+    std::vector<double> values;
     values.reserve(lambda_nm_.size());
-    for (const double lambda_nm : lambda_nm_)
-        values.push_back(static_cast<float>(s.tent_mean(lambda_nm, step_nm_)));
+    for (const double lambda_nm : lambda_nm_) values.push_back(s.tent_mean(lambda_nm, step_nm_));
     return values;
 }
 
-std::vector<float> SpectralBasis::factor(const Spectrum& s) const {
+std::vector<double> SpectralBasis::exact_factor(const Spectrum& s) const {
     if (illuminant_) {
         assert(s.is_constant());
-        return {static_cast<float>(s.at(kLambdaMin_nm))};
+        return {s.at(kLambdaMin_nm)};
     }
-    return lambda_nm_.empty() ? to_floats(rec709_of_reflectance(s)) : sample(s);
+    return lambda_nm_.empty() ? not_negative(rec709_of_reflectance(s)) : sample(s);
+}
+
+std::vector<float> SpectralBasis::factor(const Spectrum& s) const {
+    return to_floats(exact_factor(s));
 }
 
 std::vector<float> SpectralBasis::emission(const Spectrum& s) const {
@@ -81,9 +91,9 @@ std::vector<float> SpectralBasis::emission(const Spectrum& s) const {
         assert(base == illuminant_ || factor == 0);
         return {base == illuminant_ ? static_cast<float>(factor) : 0.0F};
     }
-    if (!lambda_nm_.empty()) return sample(s);
+    if (!lambda_nm_.empty()) return to_floats(sample(s));
     const Xyz colour = xyz_of(s);
-    return to_floats(xyz_to_rec709() * std::array{colour.x, colour.y, colour.z});
+    return to_floats(not_negative(xyz_to_rec709() * std::array{colour.x, colour.y, colour.z}));
 }
 
 Xyz SpectralBasis::to_xyz(const float* radiance) const {

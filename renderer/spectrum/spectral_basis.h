@@ -41,6 +41,8 @@ class SpectralBasis {
     /// A reflectance, transmittance or other factor in this basis; size() values. In grey() it must
     /// be constant.
     [[nodiscard]] std::vector<float> factor(const Spectrum& s) const;
+    /// The same unrounded: of a transmittance near 1 single precision loses the logarithm.
+    [[nodiscard]] std::vector<double> exact_factor(const Spectrum& s) const;
     /// A light's spectrum in this basis; size() values. In grey() it must be a multiple of the
     /// illuminant or 0.
     [[nodiscard]] std::vector<float> emission(const Spectrum& s) const;
@@ -52,8 +54,8 @@ class SpectralBasis {
 
   private:
     SpectralBasis() = default;
-    void split_weights();                                              ///< fills columns_
-    [[nodiscard]] std::vector<float> sample(const Spectrum& s) const;  ///< its tent means
+    void split_weights();                                               ///< fills columns_
+    [[nodiscard]] std::vector<double> sample(const Spectrum& s) const;  ///< its tent means
 
     std::string name_;
     std::vector<double> lambda_nm_;  ///< of the quadrature; empty for rgb

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 
 #include "renderer/spectrum/spectra.h"
@@ -180,6 +181,23 @@ TEST_F(SpectrumReaderTest, AMetalThatCannotBeIsRefused) {
 }
 
 // 800 to 860 nm at one height: 30 of 60 nm lie outside; what is read beyond the samples does not.
+// Transmittances come as they are written, to the last digit of double, in every form that keeps
+// their value.
+TEST_F(SpectrumReaderTest, AFactorKeepsItsDigits) {
+    for (const double t : {1e-300, 1e-40, 0.99999993, 0.999999999999}) {
+        char text[200];
+        std::snprintf(text, sizeof text, "%.17g", t);
+        EXPECT_EQ(factor(text)->at(550), t);
+        std::snprintf(text, sizeof text,
+                      R"({"wavelengths_nm": [400, 500, 600], "values": [0.5, %.17g, %.17g]})", t,
+                      t);
+        EXPECT_EQ(factor(text)->at(550), t);
+        std::snprintf(text, sizeof text, R"({"spectrum": 1, "scale": %.17g})", t);
+        EXPECT_EQ(factor(text)->at(550), t);
+        EXPECT_EQ(places(), "");
+    }
+}
+
 TEST_F(SpectrumReaderTest, EnergyOutsideTheRenderedRangeIsNoted) {
     EXPECT_NEAR(share_outside(R"({ "wavelengths_nm": [800, 860], "values": [2, 2] })"), 0.5, 1e-3);
     EXPECT_NEAR(share_outside(R"({ "first_nm": 800, "step_nm": 60, "values": [2, 2] })"), 0.5,

@@ -6,113 +6,23 @@
 
 #include <cmath>
 
+#include "tests/support/hall_look.h"
 #include "tests/support/meshes.h"
 #include "tests/support/scenes.h"
 
 namespace bouguer::renderer {
 namespace {
 
-using test::absorbing;
 using test::clear;
+using test::exact_settings;
+using test::glass;
+using test::in_environment;
+using test::look;
 using test::matt;
 using test::SceneBuilder;
-
-constexpr Real kFar = 1e4;
-
-RenderSettings exact_settings() {
-    RenderSettings settings;
-    settings.min_throughput = 0;
-    settings.wavelength_step_nm = 1;
-    return settings;
-}
-
-struct Seen {
-    double y;
-    TraceCounters counters;
-};
-
-/// Mean of `samples` samples of the radiance that arrives at `from` from the direction of `at`.
-Seen look(const Scene& scene, Vec3 from, Vec3 at, const RenderSettings& settings = exact_settings(),
-          std::uint32_t samples = 1) {
-    const auto integrator =
-        make_hall(scene, SpectralBasis::wavelengths(settings.wavelength_step_nm), settings, {});
-    const auto scratch = integrator->make_scratch();
-    Seen seen{};
-    const Ray ray{from - scene.geometry().origin(), normalize(at - from)};
-    for (std::uint32_t s = 0; s < samples; ++s) {
-        seen.y += integrator->trace(ray, PixelSampler(1, 0, 0, s, 1), *scratch, seen.counters).y /
-                  samples;
-    }
-    return seen;
-}
-
-DirectionalLight sun(Vec3 direction, double irradiance = 1) {
-    return {direction, constant_spectrum(irradiance)};
-}
-
-SceneBuilder in_environment(double radiance = 1) {
-    SceneBuilder builder;
-    builder.description.environment = ConstantEnvironment{constant_spectrum(radiance)};
-    return builder;
-}
-
-HallMaterial glass(double ior, double transmittance) {
-    HallMaterial m = clear(ior);
-    m.absorption = absorbing(transmittance);
-    return m;
-}
-
-Box slab(Real thickness) { return {{-kFar, -kFar, -thickness}, {kFar, kFar, 0}}; }
-
-// ---- equation 1 ----
-
-// The paper's example: 3 units of 0.9 a unit leave 0.9^3 = 0.729.
-TEST(HallAbsorption, LeavesThePowerOfTheThickness) {
-    const auto scene = in_environment().add(slab(3), glass(1, 0.9)).build();
-    EXPECT_NEAR(look(*scene, {0.1, 0.2, 5}, {0.1, 0.2, -10}).y, 0.729, 1e-6);
-}
-
-// Three touching slabs of 1 are one of 3.
-TEST(HallAbsorption, DoesNotCareForCutsThroughTheBody) {
-    const auto scene = in_environment()
-                           .add(Box{{-9, -9, -1}, {9, 9, 0}}, glass(1, 0.9))
-                           .add(Box{{-9, -9, -2}, {9, 9, -1}}, glass(1, 0.9))
-                           .add(Box{{-9, -9, -3}, {9, 9, -2}}, glass(1, 0.9))
-                           .build();
-    EXPECT_NEAR(look(*scene, {0.1, 0.2, 5}, {0.1, 0.2, -10}).y, 0.729, 2e-6);
-}
-
-// At 45 degrees the way through glass of 1.5 is 1/cos(asin(sin 45 / 1.5)) = 1.133893 times the
-// thickness.
-TEST(HallAbsorption, FollowsTheRefractedLength) {
-    const auto scene = in_environment().add(slab(1), glass(1.5, 0.9)).build();
-    EXPECT_NEAR(look(*scene, {0, 0, 5}, {5, 0, 0}).y, std::pow(0.9, 1.133893), 1e-6);
-}
-
-TEST(HallAbsorption, IsExactAtItsEnds) {
-    EXPECT_EQ(look(*in_environment().add(slab(3), glass(1, 0)).build(), {0, 0, 5}, {0, 0, 0}).y, 0);
-    EXPECT_NEAR(look(*in_environment().add(slab(3), glass(1, 1)).build(), {0, 0, 5}, {0, 0, 0}).y,
-                1, 1e-6);
-}
-
-// A camera inside a body looks through what lies between it and the surface.
-TEST(HallAbsorption, BeginsAtACameraInsideTheBody) {
-    const auto scene = in_environment().add(Sphere{{0, 0, 0}, 3}, glass(1.5, 0.9)).build();
-    const Seen seen = look(*scene, {0, 0, 0}, {0, 0, 1});
-    EXPECT_NEAR(seen.y, 0.729, 1e-6);
-    EXPECT_TRUE(seen.counters.lost_bodies.empty());
-}
-
-// A plane is a half-space: what is seen through it lies infinitely deep, and nothing of it comes
-// that the body absorbs.
-TEST(HallAbsorption, IsCompleteInAHalfSpace) {
-    const auto through = [](double t) {
-        const auto scene = in_environment().add(Plane{{0, 0, 0}, {0, 0, 1}}, glass(1.3, t)).build();
-        return look(*scene, {0, 0, 5}, {0, 1, 0}).y;
-    };
-    EXPECT_EQ(through(0.99), 0);
-    EXPECT_NEAR(through(1), 1, 1e-6);
-}
+using test::Seen;
+using test::slab;
+using test::sun;
 
 // Each face passes k_st F_st = 0.9 * 0.8.
 TEST(HallTransmission, WeighsEachFace) {

@@ -29,7 +29,7 @@ TEST_F(BindHall, TakesTheLogarithmPerUnit) {
     const auto log_of = [&](double t, double thickness) {
         HallMaterial m = test::clear(1.5);
         m.absorption = test::absorbing(t, thickness);
-        const SplitRow row = table_.split_row(*bind(m, basis_, table_).log_transmittance);
+        const SplitRow row = table_.split_row(bind(m, basis_, table_).absorption->log_t);
         return row.high[0][0] + row.low[0][0];
     };
     EXPECT_NEAR(log_of(0.81, 2), -0.105360516, 1e-7);
