@@ -69,7 +69,8 @@ void read_job(const JsonValue& document, const ReadContext& context, JobRequest&
     read_job_settings(reader, context.limits, job);
     reader.reject_unknown_keys();
     if (document.problems().empty())
-        warn_of_exposure(job.scene, job.output, document.pointer() + "/scene", document.problems());
+        warn_of_job(job.scene, job.settings, job.output, document.pointer() + "/scene",
+                    document.problems());
 }
 
 /// Reads a scene alone as a job with every default into `job`.
@@ -79,6 +80,8 @@ void read_job_around(const JsonValue& scene, const ReadContext& context, JobRequ
     const JsonStore nothing;
     JsonReader settings(JsonValue(Json(nothing, {JsonNode::Kind::Object}), "", scene.problems()));
     read_job_settings(settings, context.limits, job);
+    if (scene.problems().empty())
+        warn_of_job(job.scene, job.settings, job.output, scene.pointer(), scene.problems());
 }
 
 enum class Wanted : std::uint8_t { JobOrScene, Scene };

@@ -79,10 +79,7 @@ OrderedJson warning_array(const Warnings& warnings) {
             {{"pointer", w.pointer}, {"code", w.code}, {"detail", w.detail}, {"advice", w.advice}});
     };
     for (const Warning& warning : warnings.listed()) add(warning);
-    if (const std::size_t more = warnings.count() - warnings.listed().size(); more > 0) {
-        add({"", "more-warnings", std::to_string(more) + " more warnings are not listed",
-             "mend those that are listed first"});
-    }
+    if (warnings.count() > warnings.listed().size()) add(warnings.about_unlisted());
     return array;
 }
 

@@ -8,17 +8,15 @@
 
 namespace bouguer::api {
 
-/// Looks at a scene that has no problems: shares above the whole, materials that nothing uses,
-/// inner properties of things without an inside, bodies hidden in others, absorption that leaves
-/// nothing. `pointer` is the scene's own. Objects of the description are those of the document, in
-/// its order.
+/// Looks at a scene that has no problems and whose meshes have been mended: its materials, meshes,
+/// bodies, lights and camera, each in its file. `pointer` is the scene's own. Objects of the
+/// description are those of the document, in its order.
 void warn_of_scene(const renderer::SceneDescription& scene, const std::string& pointer,
                    Problems& problems);
 
-/// Lamps that give a picture ten stops brighter or darker than what the output shows as white;
-/// only where the exposure is given.
-void warn_of_exposure(const renderer::SceneDescription& scene,
-                      const renderer::OutputSettings& output, const std::string& pointer,
-                      Problems& problems);
+/// Likewise at what the settings of a job make of a scene.
+void warn_of_job(const renderer::SceneDescription& scene, const renderer::RenderSettings& settings,
+                 const renderer::OutputSettings& output, const std::string& pointer,
+                 Problems& problems);
 
 }  // namespace bouguer::api

@@ -38,12 +38,15 @@ def samples(values):
     return {"wavelengths_nm": WAVELENGTHS_NM, "values": values}
 
 
-def spectra(*names):
-    """The glasses' own colours; `<name>-unit` is what one unit of thickness lets through, 95 % at its best."""
+def spectra(*names, absorbs=True):
+    """The glasses' own colours; `<name>-unit`, of those that absorb, is what one unit of thickness lets through, 95 % at
+    its best."""
     made = {}
     for name in names:
         values = TRANSMITTANCES[name]
         made[name] = samples(values)
+        if not absorbs:
+            continue
         # Table 1: a Bouguer-Beer factor of 95 % per unit thickness, here at the colour's clearest wavelength.
         made[f"{name}-unit"] = samples([round(0.95 * (v / max(values)) ** 0.3, 4) for v in values])
     return made
@@ -110,7 +113,7 @@ def still_life(name, absorbs, weights=None):
         "format": "bouguer-scene/1", "name": name, "units": "cm",
         "camera": {"type": "perspective", "from": [0.5, 13, 23], "at": [0, 1.6, 0.3], "up": [0, 1, 0], "fov_deg": 31,
                    "resolution": [640, 480]},
-        "spectra": spectra(*glasses),
+        "spectra": spectra(*glasses, absorbs=absorbs),
         "materials": {**{g: glass(g, absorbs) for g in glasses},
                       "light tile": matt(0.93, 0.91, 0.87), "dark tile": matt(0.42, 0.44, 0.48),
                       "plaster": matt(0.92, 0.91, 0.89), "red wall": matt(0.85, 0.33, 0.22),

@@ -29,10 +29,11 @@ MODELS = {
 def vase(model):
     """The constant ambient term of older models stands where the paper's improvement does not."""
     is_improved = model == "improved-hall"
-    return {
+    is_glass = "transmittance" in MODELS[model]
+    scene = {
         "format": "bouguer-scene/1", "name": f"vase: {model}", "units": "cm",
         "camera": {"type": "perspective", "from": [1, 6.2, 17], "at": [0, 3.1, 0], "fov_deg": 27, "resolution": [360, 480]},
-        "spectra": spectra("cobalt"),
+        "spectra": spectra("cobalt", absorbs=is_improved),
         "materials": {"vase": MODELS[model], "light tile": matt(0.80, 0.78, 0.74), "dark tile": matt(0.36, 0.38, 0.42),
                       "backdrop": matt(0.62, 0.60, 0.56)},
         "objects": [
@@ -45,6 +46,9 @@ def vase(model):
         "environment": sky(6),
         "ambient": {"k_a": 0.15, "weights": "hemisphere" if is_improved else "constant"},
     }
+    if not is_glass:
+        del scene["spectra"]
+    return scene
 
 
 def main():

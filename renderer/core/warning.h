@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,24 +19,47 @@ struct Warning {
     bool operator==(const Warning&) const = default;
 };
 
-/// Warnings in the order in which they came. Of very many the first are listed and the others
-/// counted.
+/// Warnings in the order in which they came. Of very many with one code the first are listed and
+/// the others counted, so that a thousand of one kind hide no other. There are some tens of codes.
 class Warnings {
   public:
-    static constexpr std::size_t kMostListed = 100;
+    static constexpr std::size_t kMostOfOneCode = 20;
 
     void add(Warning warning) {
-        if (++count_ <= kMostListed) listed_.push_back(std::move(warning));
+        ++count_;
+        if (++of_code_[warning.code] <= kMostOfOneCode) listed_.push_back(std::move(warning));
     }
     void add(const Warnings& others) {
         for (const Warning& warning : others.listed_) add(warning);
-        count_ += others.count_ - others.listed_.size();
+        for (const auto& [code, count] : others.unlisted()) {
+            count_ += count;
+            of_code_[code] += count;
+        }
     }
     [[nodiscard]] const std::vector<Warning>& listed() const { return listed_; }
     [[nodiscard]] std::size_t count() const { return count_; }
 
+    /// How many of a code are counted only; codes with none are left out.
+    [[nodiscard]] std::map<std::string, std::size_t> unlisted() const {
+        std::map<std::string, std::size_t> more = of_code_;
+        for (const Warning& warning : listed_) --more[warning.code];
+        std::erase_if(more, [](const auto& entry) { return entry.second == 0; });
+        return more;
+    }
+
+    /// That there are more than are listed, with how many of which code; only where unlisted() is
+    /// not empty.
+    [[nodiscard]] Warning about_unlisted() const {
+        std::string codes;
+        for (const auto& [code, count] : unlisted())
+            codes += (codes.empty() ? "" : ", ") + std::to_string(count) + " of " + code;
+        return {"", "more-warnings", "more than are listed: " + codes,
+                "mend those that are listed first"};
+    }
+
   private:
     std::size_t count_ = 0;
+    std::map<std::string, std::size_t> of_code_;
     std::vector<Warning> listed_;
 };
 

@@ -2,8 +2,13 @@
 #include "renderer/materials/material.h"
 
 #include "renderer/materials/material_textures.h"
+#include "renderer/spectrum/refractive_index.h"
 
 namespace bouguer::renderer {
+
+bool has_inside(const MaterialNeeds& needs) {
+    return needs.absorbs || !needs.ior->is_constant() || needs.ior->at(kLineD_nm) != 1;
+}
 
 Surface bind(const MaterialDescription& material, const SpectralBasis& basis,
              SpectralTable& table) {

@@ -31,6 +31,10 @@ struct MaterialDescription {
     return std::visit([](const auto& model) { return needs_of(model); }, material.model);
 }
 
+/// Whether light meets another medium inside a body of a material that transmits: one with an index
+/// of its own, or one that absorbs. A surface without an inside is a sheet.
+[[nodiscard]] bool has_inside(const MaterialNeeds& needs);
+
 /// The material, its emission included, in the numbers of `basis`.
 [[nodiscard]] Surface bind(const MaterialDescription& material, const SpectralBasis& basis,
                            SpectralTable& table);

@@ -5,17 +5,11 @@
 
 #include "renderer/render.h"
 #include "renderer/scene/mend_meshes.h"
-#include "renderer/spectrum/refractive_index.h"
 
 namespace bouguer::renderer {
 namespace {
 
 using MeshPtr = std::shared_ptr<const TriangleMesh>;
-
-/// Whether what is inside a body of this material differs from what is outside.
-bool has_inside(const MaterialNeeds& needs) {
-    return needs.absorbs || !needs.ior->is_constant() || needs.ior->at(kLineD_nm) != 1;
-}
 
 /// Disks are sheets: no inside, so no refraction and no absorption. So is an open mesh of a
 /// material that would do neither.

@@ -141,12 +141,12 @@ std::string option_of(std::string_view parameter) {
 }
 
 void print_warnings(std::ostream& out, const Warnings& warnings) {
-    for (const Warning& w : warnings.listed()) {
+    const auto print = [&](const Warning& w) {
         out << "warning: " << (w.pointer.empty() ? "" : w.pointer + ": ") << w.detail << "; "
             << w.advice << " [" << w.code << "]\n";
-    }
-    if (const std::size_t more = warnings.count() - warnings.listed().size(); more > 0)
-        out << "warning: " << more << " more are not listed [more-warnings]\n";
+    };
+    for (const Warning& warning : warnings.listed()) print(warning);
+    if (warnings.count() > warnings.listed().size()) print(warnings.about_unlisted());
 }
 
 int print_error(std::ostream& out, const Error& error) {

@@ -72,6 +72,11 @@ TEST(MeshWarnings, NameBodiesThatAreInsideOutOpenOrDoubled) {
     shape = cube();
     shape["triangles"].erase(0);
     EXPECT_EQ(said(scene(shape)), Texts{"/objects/0/shape mesh-open"});
+    json sheet = scene(shape);
+    sheet["materials"]["glass"].erase("ior");
+    EXPECT_EQ(said(sheet), Texts{}) << "of a material without an inside it is a sheet";
+    sheet["materials"]["glass"]["absorption"] = {{"transmittance", 0.5}};
+    EXPECT_EQ(said(sheet), Texts{"/objects/0/shape mesh-open"});
     json opaque = scene(shape);
     opaque["objects"][0]["material"] = "chalk";
     EXPECT_EQ(said(opaque), Texts{}) << "what light does not enter may be open";
