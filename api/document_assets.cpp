@@ -7,6 +7,7 @@
 #include "renderer/film/image_header.h"
 #include "renderer/geometry/mesh_file.h"
 #include "renderer/geometry/mesh_size.h"
+#include "renderer/textures/file_colours.h"
 
 namespace bouguer::api {
 namespace {
@@ -54,7 +55,9 @@ Result<std::uint64_t> DocumentAssets::image_bytes(const std::string& name) {
                               " pixels in all image textures");
     }
     pixels_ += header->pixels();
-    largest_file_ = std::max(largest_file_, (*file)->size());
+    // The chunks of a PNG that hold its pixels are put together once more.
+    const std::uint64_t copies = header->format == renderer::ImageFormat::Png ? 2 : 1;
+    largest_file_ = std::max(largest_file_, copies * (*file)->size());
     return header->decoded_bytes();
 }
 
@@ -134,13 +137,20 @@ Result<DocumentAssets::MeshPtr> DocumentAssets::mesh(const std::string& name) {
     return content(file, [&] { return read_mesh(name, file.bytes); });
 }
 
+/// Colours that are neither sRGB nor linear are kept once more, as floats.
+Result<renderer::TextureImagePtr> DocumentAssets::read_image(const std::string& name) {
+    auto image = read(name).and_then([&](const std::string& bytes) {
+        return renderer::read_texture_image(bytes, limits_.texture_pixels);
+    });
+    if (!image) return image;
+    if (auto fits = add_bytes(renderer::conversion_bytes(**image)); !fits)
+        return tl::unexpected(std::move(fits).error());
+    return image;
+}
+
 Result<renderer::TextureImagePtr> DocumentAssets::image(const std::string& name) {
     expect_image(name);
-    return content(images_.at(name), [&] {
-        return read(name).and_then([&](const std::string& bytes) {
-            return renderer::read_texture_image(bytes, limits_.texture_pixels);
-        });
-    });
+    return content(images_.at(name), [&] { return read_image(name); });
 }
 
 std::string DocumentAssets::digest() const {

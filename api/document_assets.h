@@ -64,6 +64,7 @@ class DocumentAssets {
                 Result<std::uint64_t> (DocumentAssets::*needed)(const std::string&));
     Result<std::string> read(const std::string& name);
     Result<MeshPtr> read_mesh(const std::string& name, std::uint64_t expected_bytes);
+    Result<renderer::TextureImagePtr> read_image(const std::string& name);
     template <class Content, class Read>
     Result<Content> content(File<Content>& file, const Read& read);
     [[nodiscard]] Error cause(const std::string& name, Error refusal);

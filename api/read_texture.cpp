@@ -8,6 +8,7 @@
 #include "api/asset_reader.h"
 #include "api/nearest_name.h"
 #include "renderer/textures/checker_texture.h"
+#include "renderer/textures/file_colours.h"
 #include "renderer/textures/grid_texture.h"
 #include "renderer/textures/image_texture.h"
 
@@ -55,8 +56,18 @@ Enum choice(JsonReader& reader, std::string_view key, const std::array<std::stri
     return static_cast<Enum>(std::find(names.begin(), names.end(), chosen) - names.begin());
 }
 
-/// image: path or asset, color_space (default: srgb for PNG and JPEG, linear for EXR), filter,
-/// wrap.
+/// The document has the last word, and is told that it has.
+void warn_of_override(const JsonValue& encoding_at, const renderer::TextureImage& image,
+                      renderer::ColourEncoding encoding) {
+    if (!renderer::states_encoding(image.colour, image.channels == 1) || image.encoding == encoding)
+        return;
+    encoding_at.warn("color-space-overrides",
+                     "the image file says that its numbers mean something else",
+                     "leave color_space out to have the colours that the file states");
+}
+
+/// image: path or asset, color_space (default: what the file says; without any word of it srgb for
+/// PNG and JPEG, linear for EXR), filter, wrap.
 std::optional<ReadTexture> read_image(JsonReader& reader, TextureKindContext& with) {
     using renderer::ColourEncoding;
     const auto mapping = read_mapping(reader);
@@ -76,16 +87,21 @@ std::optional<ReadTexture> read_image(JsonReader& reader, TextureKindContext& wi
                      "a PNG, JPEG or EXR file of finite numbers >= 0");
         return std::nullopt;
     }
+    if (encoding_at) warn_of_override(*encoding_at, **image, encoding);
+    const auto colours = encoding_at ? image : renderer::in_file_colours(*image);
+    if (!colours) {
+        report_asset(*asset, colours.error(), "bad-image", "colours within Rec.709");
+        return std::nullopt;
+    }
     const auto texture = renderer::image_texture(
-        *image, {encoding_at ? encoding : renderer::usual_encoding((*image)->format), filter, wrap,
-                 mapping});
+        *colours, {encoding_at ? encoding : *(*colours)->encoding, filter, wrap, mapping});
     if (!texture) {
         report_asset(*asset, texture.error(), "bad-image", "numbers in [0, 1]");
         return std::nullopt;
     }
-    const renderer::TexelPlace& place = (*image)->largest_at;
+    const renderer::TexelPlace& place = (*colours)->largest_at;
     return ReadTexture{
-        *texture, (*image)->largest,
+        *texture, (*colours)->largest,
         "column " + std::to_string(place.column) + ", row " + std::to_string(place.row)};
 }
 

@@ -11,7 +11,8 @@ set -euo pipefail
 # A word is a package; "package:command" is a package that is wanted only where that command is missing.
 build_packages=(
     g++ cmake ninja-build pkgconf:pkg-config ca-certificates
-    libembree-dev libtbb-dev libopenimageio-dev libjpeg-dev zlib1g-dev libexpected-dev
+    libembree-dev libtbb-dev libopenimageio-dev libexpected-dev
+    libjpeg-dev liblcms2-dev zlib1g-dev
     nlohmann-json3-dev libssl-dev
     libcpp-httplib-dev libspdlog-dev libsqlitecpp-dev libsqlite3-dev libcli11-dev
     curl:curl

@@ -131,7 +131,7 @@ Result<DecodedImage> decode_by_library(std::string_view bytes, const ImageHeader
     image.channels = spec.nchannels;
     if (std::array<float, 8> c{};
         spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), c.data()))
-        image.chromaticities = c;
+        image.colour.chromaticities = c;
     if (float y = 0; spec.getattribute("whiteLuminance", OIIO::TypeDesc::FLOAT, &y))
         image.white_luminance = y;
     if (!read_samples(*in, image)) return refuse(kDamagedPixels);
@@ -149,9 +149,7 @@ Result<DecodedImage> decode_png(std::string_view bytes, const ImageHeader& heade
     if (!colour) return tl::unexpected(std::move(colour).error());
     auto image = decode_by_library(file->pixels_only, header, "picture.png");
     if (!image) return image;
-    image->transfer = colour->transfer;
-    image->chromaticities = colour->chromaticities;
-    image->icc_profile = std::move(colour->icc_profile);
+    image->colour = *std::move(colour);
     if (const auto exif = file->statements.find("eXIf"); exif != file->statements.end())
         image->orientation = exif_orientation(exif->second);
     return image;

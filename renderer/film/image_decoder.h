@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/core/result.h"
-#include "renderer/film/transfer_curve.h"
+#include "renderer/film/picture_colour.h"
 
 namespace bouguer::renderer {
 
@@ -33,16 +33,12 @@ using ImageSamples =
 struct DecodedImage {
     ImageFormat format = ImageFormat::Png;
     int width = 0, height = 0;
-    int channels = 0;        ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGB and alpha
-    ImageSamples samples;    ///< [height][width][channels], row 0 on top; alpha not multiplied in
-                             ///< but in EXR, where files have it so
-    int orientation = 1;     ///< as Exif counts, 1 is upright; decode_image() gives no other
-    TransferCurve transfer;  ///< what a PNG file says of it
-    /// x, y of red, green, blue and white, where an EXR or PNG file tells them.
-    std::optional<std::array<float, 8>> chromaticities;
+    int channels = 0;      ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGB and alpha
+    ImageSamples samples;  ///< [height][width][channels], row 0 on top; alpha not multiplied in
+                           ///< but in EXR, where files have it so
+    int orientation = 1;   ///< as Exif counts, 1 is upright; decode_image() gives no other
+    PictureColour colour;  ///< an EXR file tells chromaticities only
     std::optional<float> white_luminance;  ///< cd/m^2 of value 1; EXR files that say so only
-    /// Its bytes; empty where the file has none. Where it has one, nothing else is said above.
-    std::vector<std::uint8_t> icc_profile;
 
     /// The samples as floats, those of 8 and 16 bits in [0, 1].
     [[nodiscard]] std::vector<float> values() const;

@@ -29,7 +29,7 @@ struct ImageHeader {
 /// Sides are below 2^31. Error{InvalidInput}, "bad-image": another format, no header; a JPEG that
 /// is lossless, hierarchical or not of 8 bits; an EXR file of several parts, with samples in depth,
 /// or with channels other than Y or R, G, B, with or without A, of floats, one a pixel.
-/// [PNG 1.2 §4.1.1; ITU T.81 §B; OpenEXR file layout]
+/// [PNG 3rd ed. §11.2.1; ITU T.81 §B; OpenEXR file layout]
 [[nodiscard]] Result<ImageHeader> read_image_header(const ByteSource& file);
 
 /// Error{InvalidInput}, "over-limit": more than `max_pixels`.

@@ -2,6 +2,7 @@
 #include "renderer/film/jpeg_decoder.h"
 
 #include <algorithm>
+#include <array>
 #include <csetjmp>
 #include <cstddef>
 #include <cstdio>
@@ -23,6 +24,11 @@ constexpr int kProfileMarker = JPEG_APP0 + 2;
 /// Every scan of a progressive file costs a pass over the whole picture, however few bytes it has;
 /// writers make about ten.
 constexpr int kMostScans = 100;
+
+/// [Adobe RGB (1998) §4.3]
+constexpr TransferCurve kAdobeRgbCurve{TransferCurve::Kind::Power, 563.0 / 256};
+constexpr std::array<float, 8> kAdobeRgb{0.64F, 0.33F, 0.21F,   0.71F,
+                                         0.15F, 0.06F, 0.3127F, 0.3290F};
 
 /// libjpeg's reports: the first one ends the reading.
 struct Reports {
@@ -180,9 +186,13 @@ Result<DecodedImage> decode_jpeg(std::string_view bytes) {
     if (!file.read_pixels(rows.data(), row_bytes)) return refuse(kDamagedPixels + file.report());
     if (!file.is_complete())
         return refuse(std::string(kDamagedPixels) + ": some of its scans are missing");
-    image.orientation = exif_orientation(file.exif());
-    if (!file.read_profile(image.icc_profile) || !file.finish())
+    const std::string_view exif = file.exif();
+    image.orientation = exif_orientation(exif);
+    if (is_adobe_rgb(exif)) image.colour = {kAdobeRgbCurve, kAdobeRgb, {}};
+    std::vector<std::uint8_t> profile;
+    if (!file.read_profile(profile) || !file.finish())
         return refuse(kDamagedPixels + file.report());
+    if (!profile.empty()) image.colour = {{}, {}, std::move(profile)};
     image.samples = std::move(rows);
     return image;
 }

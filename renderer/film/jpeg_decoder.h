@@ -9,10 +9,11 @@
 
 namespace bouguer::renderer {
 
-/// Grey or RGB of 8 bits, with the orientation and the ICC profile that the file states, the pixels
-/// as they are stored. Whatever libjpeg has a word about is refused, and so are missing scans, more
-/// than 100 of them and a file without its end. Error{InvalidInput}, "bad-image": says what is
-/// wrong and at which byte. Thread-safe. [ITU T.81; libjpeg.txt]
+/// Grey or RGB of 8 bits, with the orientation that the file states and its ICC profile, or Adobe
+/// RGB where a camera says so without one; the pixels as they are stored. Whatever libjpeg has a
+/// word about is refused, and so are missing scans, more than 100 of them and a file without its
+/// end. Error{InvalidInput}, "bad-image": says what is wrong and at which byte. Thread-safe. [ITU
+/// T.81; libjpeg.txt]
 [[nodiscard]] Result<DecodedImage> decode_jpeg(std::string_view bytes);
 
 }  // namespace bouguer::renderer

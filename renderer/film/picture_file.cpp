@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "renderer/film/icc_profile.h"
 #include "renderer/film/image_decoder.h"
@@ -13,20 +12,12 @@
 namespace bouguer::renderer {
 namespace {
 
-using Decode = double (*)(double encoded);
-
-double identity(double encoded) { return encoded; }
-
 /// What the numbers of a file mean.
 struct Meaning {
     Matrix3 to_xyz;
-    Decode decode = &identity;
+    TransferCurve decode{TransferCurve::Kind::Linear};
     bool is_xyz = false;  ///< the numbers are what is wanted
 };
-
-Matrix3 matrix_of(const std::array<float, 8>& c) {
-    return rgb_to_xyz({c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]}, {c[6], c[7]});
-}
 
 /// One of displays() with these chromaticities: then its matrix is exact.
 const Display* space_with(const std::array<float, 8>& chromaticities) {
@@ -36,31 +27,36 @@ const Display* space_with(const std::array<float, 8>& chromaticities) {
     return it == displays().end() ? nullptr : &*it;
 }
 
-Result<Meaning> meaning_of_exr(const DecodedImage& image) {
-    const auto given = image.chromaticities.value_or(listed(find_display("srgb")->chromaticities));
+/// By chromaticities, those of Rec.709 without.
+Result<Meaning> meaning_of(const PictureColour& colour) {
+    const auto given = colour.chromaticities.value_or(listed(find_display("srgb")->chromaticities));
     if (const Display* space = space_with(given))
-        return Meaning{inverse(space->from_xyz), &identity, space->name == "xyz"};
-    const Matrix3 matrix = matrix_of(given);
-    for (const auto& row : matrix)
-        for (const double v : row)
-            if (!std::isfinite(v))
-                return fail(ErrorKind::InvalidInput,
-                            "the chromaticities of the OpenEXR file span no colours", "bad-image");
-    return Meaning{matrix};
+        return Meaning{inverse(space->from_xyz), colour.transfer, space->name == "xyz"};
+    const auto matrix = to_xyz(given);
+    if (!matrix) return tl::unexpected(matrix.error());
+    return Meaning{*matrix, colour.transfer};
+}
+
+Result<Meaning> meaning_of_exr(const DecodedImage& image) {
+    return meaning_of({{TransferCurve::Kind::Linear}, image.colour.chromaticities, {}});
 }
 
 Result<Meaning> meaning_of_png(const DecodedImage& image) {
-    const auto is_it = [&](const Display& d) {
-        return image.icc_profile.empty() ? d.name == "srgb" : icc_profile(d) == image.icc_profile;
-    };
+    if (image.colour.icc_profile.empty()) {
+        auto meaning = meaning_of(image.colour);
+        if (meaning) meaning->is_xyz = false;
+        return meaning;
+    }
+    const auto is_it = [&](const Display& d) { return icc_profile(d) == image.colour.icc_profile; };
     const auto display = std::find_if(displays().begin(), displays().end(), is_it);
     if (display == displays().end())
         return fail(ErrorKind::InvalidInput,
                     "the ICC profile of the PNG file is none of Bouguer's displays; convert it to "
                     "sRGB",
                     "bad-image");
-    const Decode decode = display->encode == &srgb_encode ? &srgb_decode : &identity;
-    return Meaning{inverse(display->from_xyz), decode, false};
+    const bool is_srgb = display->encode == &srgb_encode;
+    return Meaning{inverse(display->from_xyz),
+                   {is_srgb ? TransferCurve::Kind::Srgb : TransferCurve::Kind::Linear}};
 }
 
 Picture in_xyz(const DecodedImage& image, const Meaning& meaning) {

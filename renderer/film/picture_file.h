@@ -16,10 +16,10 @@ struct LoadedPicture {
 };
 
 /// Reads an OpenEXR file by the chromaticities in its header (Rec.709 without, as OpenEXR has it),
-/// XYZ to the bit; or a PNG, of 8 or 16 bits, as one of displays() by its ICC profile, sRGB
-/// without. Grey stands for R = G = B; an alpha channel is left out. Error{InvalidInput}: as
-/// decode_image(), a profile that is none of displays(), or chromaticities that span no colours.
-/// Thread-safe.
+/// XYZ to the bit; or a PNG, of 8 or 16 bits, as one of displays() by its ICC profile, by the
+/// curve and chromaticities that it states without one, or else as sRGB. Grey stands for R = G = B;
+/// an alpha channel is left out. Error{InvalidInput}: as decode_image(), a profile that is none of
+/// displays(), or chromaticities that span no colours. Thread-safe.
 [[nodiscard]] Result<LoadedPicture> load_picture(std::string_view bytes,
                                                  std::size_t max_pixels = 100'000'000);
 

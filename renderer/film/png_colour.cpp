@@ -67,7 +67,7 @@ const Entry* entry_of(const std::array<Entry, N>& table, unsigned value) {
 }
 
 /// Coding-independent code points.
-Result<void> take_cicp(std::string_view data, PngColour& colour) {
+Result<void> take_cicp(std::string_view data, PictureColour& colour) {
     if (data.size() != 4) return no_sense("cICP");
     const unsigned primaries = byte_of(data, 0), curve = byte_of(data, 1);
     const auto unread = [&](const std::string& what) {
@@ -86,7 +86,7 @@ Result<void> take_cicp(std::string_view data, PngColour& colour) {
 }
 
 /// A name, a zero, the method of packing (0) and the packed profile.
-Result<void> take_profile(std::string_view data, PngColour& colour) {
+Result<void> take_profile(std::string_view data, PictureColour& colour) {
     const std::size_t end = data.find('\0');
     if (end == std::string_view::npos || end < 1 || end > 79 || data.size() < end + 2 ||
         data[end + 1] != 0)
@@ -105,14 +105,14 @@ Result<void> take_profile(std::string_view data, PngColour& colour) {
     return {};
 }
 
-Result<void> take_srgb(std::string_view data, PngColour& colour) {
+Result<void> take_srgb(std::string_view data, PictureColour& colour) {
     if (data.size() != 1 || byte_of(data, 0) > 3) return no_sense("sRGB");  // the intent
     colour = {{Kind::Srgb}, {}, {}};
     return {};
 }
 
 /// The number is the light to the power of this.
-Result<void> take_gamma(std::string_view data, PngColour& colour) {
+Result<void> take_gamma(std::string_view data, PictureColour& colour) {
     if (data.size() != 4 || hundred_thousandths(data, 0) == 0) return no_sense("gAMA");
     const double gamma = hundred_thousandths(data, 0);
     colour.transfer =
@@ -121,7 +121,7 @@ Result<void> take_gamma(std::string_view data, PngColour& colour) {
 }
 
 /// White, red, green, blue.
-Result<void> take_primaries(std::string_view data, PngColour& colour) {
+Result<void> take_primaries(std::string_view data, PictureColour& colour) {
     if (data.size() != 32) return no_sense("cHRM");
     std::array<float, 8> c{};
     for (std::size_t i = 0; i < 8; ++i)
@@ -132,7 +132,7 @@ Result<void> take_primaries(std::string_view data, PngColour& colour) {
 
 struct Statement {
     std::string_view chunk;
-    Result<void> (*take)(std::string_view, PngColour&);
+    Result<void> (*take)(std::string_view, PictureColour&);
 };
 /// From the one that counts least to the one that counts most; the first two go together.
 constexpr std::array kStatements{
@@ -143,8 +143,8 @@ constexpr std::array kStatements{
 
 }  // namespace
 
-Result<PngColour> png_colour(const PngFile& file) {
-    PngColour colour;
+Result<PictureColour> png_colour(const PngFile& file) {
+    PictureColour colour;
     for (const Statement& statement : kStatements) {
         const auto it = file.statements.find(statement.chunk);
         if (it == file.statements.end()) continue;

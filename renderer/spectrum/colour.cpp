@@ -85,17 +85,18 @@ Xyz xyz_of_reflectance(const Spectrum& reflectance, const Spectrum& illuminant, 
 }
 
 Matrix3 rgb_to_xyz(Chromaticity red, Chromaticity green, Chromaticity blue, Chromaticity white) {
-    const auto at_unit_luminance = [](Chromaticity c) {
-        return std::array{c.x / c.y, 1.0, (1 - c.x - c.y) / c.y};
-    };
+    // Not at unit luminance: primaries of y = 0, those of XYZ itself, have none.
+    const std::array primaries{red, green, blue};
     Matrix3 m{};
-    const std::array primaries{at_unit_luminance(red), at_unit_luminance(green),
-                               at_unit_luminance(blue)};
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) m[i][j] = primaries[j][i];
-    const std::array<double, 3> luminance = inverse(m) * at_unit_luminance(white);
+    for (std::size_t j = 0; j < 3; ++j) {
+        const Chromaticity c = primaries[j];
+        const std::array xyz{c.x, c.y, 1 - c.x - c.y};
+        for (std::size_t i = 0; i < 3; ++i) m[i][j] = xyz[i];
+    }
+    const std::array<double, 3> amount =
+        inverse(m) * std::array{white.x / white.y, 1.0, (1 - white.x - white.y) / white.y};
     for (auto& row : m)
-        for (std::size_t j = 0; j < 3; ++j) row[j] *= luminance[j];
+        for (std::size_t j = 0; j < 3; ++j) row[j] *= amount[j];
     return m;
 }
 

@@ -157,10 +157,6 @@ class ImageTexture final : public Texture {
 
 }  // namespace
 
-ColourEncoding usual_encoding(ImageFormat format) {
-    return format == ImageFormat::Exr ? ColourEncoding::Linear : ColourEncoding::Srgb;
-}
-
 Result<TexturePtr> image_texture(TextureImagePtr image, const ImageTextureOptions& options) {
     if (options.encoding == ColourEncoding::Srgb && image->largest > 1) {
         return fail(ErrorKind::InvalidInput,

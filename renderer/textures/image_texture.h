@@ -11,9 +11,6 @@
 
 namespace bouguer::renderer {
 
-/// What the numbers of an image mean: encoded by the curve of sRGB, or proportional to light. Both
-/// have the primaries of Rec.709. Profiles in a file are not read.
-enum class ColourEncoding : std::uint8_t { Srgb, Linear };
 /// Bilinear: linear between the centres of the texels, so that a picture has no steps. Nearest: the
 /// texel that the point is in.
 enum class TextureFilter : std::uint8_t { Bilinear, Nearest };
@@ -24,9 +21,6 @@ enum class TextureWrap : std::uint8_t { Repeat, Clamp, Mirror };
 inline constexpr std::array<std::string_view, 2> kColourEncodingNames{"srgb", "linear"};
 inline constexpr std::array<std::string_view, 2> kTextureFilterNames{"bilinear", "nearest"};
 inline constexpr std::array<std::string_view, 3> kTextureWrapNames{"repeat", "clamp", "mirror"};
-
-/// Linear for EXR, sRGB for PNG and JPEG: what such files nearly always hold.
-[[nodiscard]] ColourEncoding usual_encoding(ImageFormat format);
 
 struct ImageTextureOptions {
     ColourEncoding encoding = ColourEncoding::Srgb;

@@ -5,8 +5,6 @@
 #include <limits>
 #include <string>
 
-#include "renderer/spectrum/display.h"
-
 namespace bouguer::renderer {
 namespace {
 
@@ -21,22 +19,6 @@ constexpr T one_of() {
 
 std::string at_pixel(const TexelPlace& place) {
     return " at column " + std::to_string(place.column) + ", row " + std::to_string(place.row);
-}
-
-/// Whether the chromaticities are those of Rec.709, as far as files print them.
-bool is_rec709(const std::array<float, 8>& c) {
-    const auto& expected = find_display("rec709-linear")->chromaticities;
-    for (std::size_t i = 0; i < 4; ++i) {
-        if (std::abs(c[2 * i] - expected[i].x) > 1e-3) return false;
-        if (std::abs(c[2 * i + 1] - expected[i].y) > 1e-3) return false;
-    }
-    return true;
-}
-
-Result<void> check_kind(const DecodedImage& image) {
-    if (image.channels >= 3 && image.chromaticities && !is_rec709(*image.chromaticities))
-        return refuse("the image's chromaticities are not those of Rec.709");
-    return {};
 }
 
 /// Runs over the pixels of a picture and keeps what a texture needs of them.
@@ -100,6 +82,10 @@ class Sieve {
 
 }  // namespace
 
+ColourEncoding usual_encoding(ImageFormat format) {
+    return format == ImageFormat::Exr ? ColourEncoding::Linear : ColourEncoding::Srgb;
+}
+
 std::uint64_t TextureImage::memory_bytes() const {
     return std::visit([](const auto& s) { return s.size() * sizeof(s[0]); }, samples);
 }
@@ -107,11 +93,11 @@ std::uint64_t TextureImage::memory_bytes() const {
 Result<TextureImagePtr> read_texture_image(std::string_view bytes, std::size_t max_pixels) {
     auto decoded = decode_image(bytes, max_pixels);
     if (!decoded) return tl::unexpected(std::move(decoded).error());
-    if (auto good = check_kind(*decoded); !good) return tl::unexpected(std::move(good).error());
     auto image = std::make_shared<TextureImage>();
     image->format = decoded->format;
     image->width = decoded->width;
     image->height = decoded->height;
+    image->colour = std::move(decoded->colour);
     auto sieved = std::visit(
         [&](auto& samples) {
             using T = typename std::decay_t<decltype(samples)>::value_type;
@@ -119,6 +105,10 @@ Result<TextureImagePtr> read_texture_image(std::string_view bytes, std::size_t m
         },
         decoded->samples);
     if (!sieved) return tl::unexpected(std::move(sieved).error());
+    const auto encoding =
+        known_encoding(image->colour, usual_encoding(image->format), image->channels == 1);
+    if (!encoding) return tl::unexpected(encoding.error());
+    image->encoding = *encoding;
     return image;
 }
 

@@ -135,13 +135,13 @@ TEST(DocumentAssets, JudgesAllMeshesBeforeOneIsRead) {
 // Pictures and meshes share what a job may have.
 TEST(DocumentAssets, AddsUpWhatPicturesAndMeshesNeed) {
     Headers files;
-    files.add("a.png", png_header(1000), 3'000'000);  // 3 MB decoded, and as much of a file
+    files.add("a.png", png_header(1000), 3'000'000);  // 3 MB decoded, and twice as much of a file
     files.add("b.ply", ply_header(10'000), 300'000);  // 0.8 MB
     Limits limits;
-    limits.memory_bytes = 6'500'000;
+    limits.memory_bytes = 9'500'000;
     const std::string text = scene(image("a", "a.png"), mesh("b", "b.ply"));
     EXPECT_EQ(problems_of(parse_job(text, limits, files)), "/objects/0/shape/path over-limit\n");
-    limits.memory_bytes = 7'000'000;
+    limits.memory_bytes = 10'000'000;
     EXPECT_EQ(problems_of(parse_job(text, limits, files)),
               "/objects/0/shape/path bad-mesh\n/textures/a/path bad-image\n");
 }

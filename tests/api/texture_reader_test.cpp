@@ -36,6 +36,9 @@ class TextureReaderTest : public testing::Test {
   private:
     const JsonTree definitions_ = tests::tree_of(R"({
         "photo": { "type": "image", "path": "grey.png" },
+        "light": { "type": "image", "path": "linear.png" },
+        "taken": { "type": "image", "path": "linear.png", "color_space": "srgb" },
+        "agreed": { "type": "image", "path": "linear.png", "color_space": "linear" },
         "sky": { "type": "image", "path": "hot.exr" },
         "board": { "type": "checker", "a": 3, "b": "leaf" },
         "wires": { "type": "grid", "line": 0, "ground": 0.5, "width": 0.2, "scale": [1, 5] },
@@ -78,6 +81,17 @@ TEST_F(TextureReaderTest, ReadsImages) {
     ASSERT_TRUE(photo.texture);
     EXPECT_EQ(photo.texture->spectra().size(), 1U);
     EXPECT_NEAR(photo.texture->at({0.75, 0.5})[0], 0.5, 5e-3);
+}
+
+// A number of 8 bits stands for 128 / 255 by the file's own word and for 0.2159 as sRGB's.
+TEST_F(TextureReaderTest, TakesColoursAsTheFileSaysUnlessTheDocumentDoes) {
+    EXPECT_NEAR(factor(R"({"texture": "light"})").texture->at({0.5, 0.5})[0], 128.0 / 255, 1e-6);
+    EXPECT_NEAR(factor(R"({"texture": "agreed"})").texture->at({0.5, 0.5})[0], 128.0 / 255, 1e-6);
+    EXPECT_TRUE(problems_.warnings().listed().empty());
+    EXPECT_NEAR(factor(R"({"texture": "taken"})").texture->at({0.5, 0.5})[0], 0.2158605, 1e-6);
+    ASSERT_EQ(problems_.warnings().listed().size(), 1U);
+    EXPECT_EQ(problems_.warnings().listed()[0].code, "color-space-overrides");
+    EXPECT_EQ(problems_.warnings().listed()[0].pointer, "/textures/taken/color_space");
 }
 
 // What is too bright to reflect may shine.

@@ -32,6 +32,7 @@ constexpr std::array kLibraries{
     Library{"OpenImageIO/", {"renderer/film/", "renderer/textures/"}},
     Library{"jpeglib.h", {"renderer/film/jpeg_decoder.cpp"}},
     Library{"jerror.h", {"renderer/film/jpeg_decoder.cpp"}},
+    Library{"lcms2", {"renderer/film/icc_transform.cpp"}},
     Library{"zlib.h", {"renderer/film/inflate.cpp"}},
     Library{"nlohmann/", {"api/"}},
     Library{"openssl/", {"api/digest.cpp"}},

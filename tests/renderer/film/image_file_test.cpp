@@ -152,7 +152,7 @@ TEST(Exr, KeepsLinearRec709) {
     ASSERT_EQ(image->channels, 3);
     EXPECT_NEAR(image->values()[2] / 3e7, 1, 1e-6);  // half would be infinite
     EXPECT_EQ(image->values()[5], 0);
-    EXPECT_EQ(image->chromaticities,
+    EXPECT_EQ(image->colour.chromaticities,
               (std::array<float, 8>{0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F}));
 }
 
@@ -163,7 +163,8 @@ TEST(Exr, KeepsXyzToTheBit) {
     const auto image = decode_image(encode_exr(p, output).value());
     ASSERT_TRUE(image);
     EXPECT_EQ(image->values(), p.xyz);
-    EXPECT_EQ(image->chromaticities, (std::array<float, 8>{1, 0, 0, 1, 0, 0, 1.0F / 3, 1.0F / 3}));
+    EXPECT_EQ(image->colour.chromaticities,
+              (std::array<float, 8>{1, 0, 0, 1, 0, 0, 1.0F / 3, 1.0F / 3}));
 }
 
 // A D65 white is R = G = B in P3 and not in ACEScg, whose white is another.
@@ -173,11 +174,11 @@ TEST(Exr, IsWrittenInOtherSpacesToo) {
     const Picture white = picture_of(1, 1, {from_linear(1, 1, 1)});
     auto image = decode_image(encode_exr(white, output).value());
     for (const float v : image->values()) EXPECT_NEAR(v, 1, 1e-6);
-    EXPECT_EQ((*image->chromaticities)[0], 0.68F);
+    EXPECT_EQ((*image->colour.chromaticities)[0], 0.68F);
     output.exr_colour = FileColour::AcesCg;
     image = decode_image(encode_exr(white, output).value());
     EXPECT_GT(image->values()[2], image->values()[0] + 0.05);
-    EXPECT_EQ((*image->chromaticities)[6], 0.32168F);
+    EXPECT_EQ((*image->colour.chromaticities)[6], 0.32168F);
 }
 
 // Value 1 has Y = 1: a luminance of 683.002 lm/W x 106.8569171 nm = 72983.5 cd/m^2.

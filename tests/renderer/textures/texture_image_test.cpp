@@ -67,10 +67,13 @@ TEST(TextureImage, RefusesWhatIsNoLight) {
                    "column 2");
 }
 
-// The numbers would be taken for another colour than they are.
-TEST(TextureImage, RefusesOtherPrimaries) {
-    EXPECT_TRUE(read(grey_exr({0.5F})));
-    expect_refusal(grey_exr({0.5F}, FileColour::AcesCg), "bad-image", "chromaticities");
+TEST(TextureImage, KnowsWhatItsNumbersAre) {
+    EXPECT_EQ((*read(png_of(1, 1, 1, 8, {9})))->encoding, ColourEncoding::Srgb);
+    EXPECT_EQ((*read(grey_exr({0.5F})))->encoding, ColourEncoding::Linear);
+    const std::string linear =
+        tests::with_png_chunk(png_of(1, 1, 1, 8, {9}), "gAMA", tests::big_endian(100000));
+    EXPECT_EQ((*read(linear))->encoding, ColourEncoding::Linear);
+    EXPECT_EQ((*read(grey_exr({0.5F}, FileColour::AcesCg)))->encoding, std::nullopt);
 }
 
 TEST(TextureImage, RefusesTooManyPixels) {

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/textures/file_colours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace bouguer::renderer {
+namespace {
+
+/// Pixels that are converted in one go.
+constexpr std::size_t kRun = 1024;
+
+/// Checks what came out, and keeps it.
+class Keeper {
+  public:
+    Keeper(TextureImage& to, bool is_whole) : to_(to), is_whole_(is_whole) {
+        const auto pixels =
+            static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height);
+        floats_.reserve(pixels * static_cast<std::size_t>(to.channels));
+    }
+
+    Result<void> add(std::span<float> pixels) {
+        for (std::size_t i = 0; i < pixels.size(); i += 3)
+            if (auto good = add_pixel(pixels.subspan(i, 3)); !good) return good;
+        return {};
+    }
+    void finish() { to_.samples = std::move(floats_); }
+
+  private:
+    /// Half a step of 8 bits of a usual curve is 0.0045 x^0.6 of light x; half floats have 11 bits.
+    [[nodiscard]] float rounding(float largest) const {
+        return is_whole_ ? 0.005F * std::pow(std::max(largest, 0.0F), 0.6F) : 0.001F * largest;
+    }
+
+    Result<void> add_pixel(std::span<float> rgb) {
+        const float largest = *std::max_element(rgb.begin(), rgb.end());
+        const float most = is_whole_ ? 1 + rounding(1) : kInfinite;
+        for (float& v : rgb) {
+            if (!std::isfinite(v)) return refuse("not finite", "not-finite");
+            if ((v < 0 && v < -rounding(largest)) || v > most)
+                return refuse("outside Rec.709, of which textures are made: convert it to sRGB",
+                              "bad-image");
+            v = std::max(v, 0.0F);
+            if (v > 1 && (is_whole_ || v < 1 + kFloatRounding)) v = 1;
+        }
+        return to_.channels == 1 ? add_grey(rgb) : add_colour(rgb);
+    }
+    Result<void> add_grey(std::span<const float> rgb) {
+        const auto [low, high] = std::minmax({rgb[0], rgb[1], rgb[2]});
+        if (high - low > 0.002F)
+            return refuse("grey but coloured by the ICC profile: store R, G, B", "bad-image");
+        keep((low + high) / 2);
+        return {};
+    }
+    Result<void> add_colour(std::span<const float> rgb) {
+        for (const float v : rgb) keep(v);
+        return {};
+    }
+    void keep(float v) {
+        if (v > to_.largest) {
+            to_.largest = v;
+            to_.largest_at = place();
+        }
+        floats_.push_back(v);
+    }
+
+    [[nodiscard]] TexelPlace place() const {
+        const std::size_t pixel = floats_.size() / static_cast<std::size_t>(to_.channels);
+        const auto width = static_cast<std::size_t>(to_.width);
+        return {static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
+    }
+    [[nodiscard]] tl::unexpected<Error> refuse(const char* what, const char* code) const {
+        return fail(ErrorKind::InvalidInput,
+                    "the image's colour at column " + std::to_string(place().column) + ", row " +
+                        std::to_string(place().row) + " is " + what,
+                    code);
+    }
+
+    static constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    static constexpr float kFloatRounding = 1e-5F;
+    TextureImage& to_;
+    bool is_whole_;
+    std::vector<float> floats_;
+};
+
+template <class T>
+Result<void> convert(const TextureImage& from, const std::vector<T>& samples,
+                     const ToRec709& to_light, TextureImage& to) {
+    constexpr float kOne = std::is_integral_v<T> ? std::numeric_limits<T>::max() : 1;
+    const auto channels = static_cast<std::size_t>(from.channels);
+    const std::size_t pixels = samples.size() / channels;
+    Keeper keeper(to, std::is_integral_v<T>);
+    std::vector<float> run;
+    for (std::size_t begin = 0; begin < pixels; begin += kRun) {
+        run.clear();
+        for (std::size_t i = begin; i < std::min(begin + kRun, pixels); ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                run.push_back(static_cast<float>(samples[i * channels + k % channels]) / kOne);
+        to_light(run);
+        if (auto good = keeper.add(run); !good) return good;
+    }
+    keeper.finish();
+    return {};
+}
+
+}  // namespace
+
+std::uint64_t conversion_bytes(const TextureImage& image) {
+    if (image.encoding) return 0;
+    return std::visit([](const auto& s) { return s.size() * sizeof(float); }, image.samples);
+}
+
+Result<TextureImagePtr> in_file_colours(TextureImagePtr image) {
+    if (image->encoding) return image;
+    const auto to_light = linear_rec709(image->colour, usual_encoding(image->format),
+                                        /*is_grey=*/image->channels == 1);
+    if (!to_light) return tl::unexpected(to_light.error());
+    auto light = std::make_shared<TextureImage>();
+    light->format = image->format;
+    light->width = image->width;
+    light->height = image->height;
+    light->channels = image->channels;
+    light->encoding = ColourEncoding::Linear;
+    const auto converted =
+        std::visit([&](const auto& samples) { return convert(*image, samples, *to_light, *light); },
+                   image->samples);
+    if (!converted) return tl::unexpected(converted.error());
+    return light;
+}
+
+}  // namespace bouguer::renderer
