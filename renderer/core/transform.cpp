@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/core/transform.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace bouguer::renderer {
 
 std::optional<Transform> Transform::inverse() const {
@@ -25,6 +28,12 @@ Transform operator*(const Transform& first, const Transform& second) {
     for (std::size_t row = 0; row < 3; ++row) product.a[row] = second.transposed(first.a[row]);
     product.t = first.point(second.t);
     return product;
+}
+
+Real Transform::rounding(Real reach) const {
+    const auto sum = [](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+    const Real growth = std::max({sum(a[0]), sum(a[1]), sum(a[2])});
+    return 0x1p-49 * (max_abs(t) + growth * reach);
 }
 
 Transform Transform::translate(Vec3 by) {

@@ -28,6 +28,9 @@ struct Transform {
     [[nodiscard]] constexpr Real determinant() const { return dot(a[0], cross(a[1], a[2])); }
     /// Empty when A cannot be inverted: its determinant is zero, not finite, or lost in rounding.
     [[nodiscard]] std::optional<Transform> inverse() const;
+    /// How far off double precision may put a point whose coordinates are at most `reach`: two
+    /// documents' numbers for one place agree to this. Eight units in the last place.
+    [[nodiscard]] Real rounding(Real reach) const;
     [[nodiscard]] bool is_identity() const { return *this == Transform{}; }
 
     /// First `second`, then `first`: (first * second).point(p) == first.point(second.point(p)).

@@ -202,13 +202,16 @@ std::optional<AnalyticShape> AnalyticShape::create(const Shape& shape, const Tra
     result.to_scene_ = instance * placement->to_world;
     result.to_unit_ = placement->to_unit * *inverse;
     if (!is_finite(result.to_scene_) || !is_finite(result.to_unit_)) return std::nullopt;
+    Real reach = max_abs(placement->to_world.t);
     for (int i = 0; i < 3; ++i) {
+        reach += length(column(placement->to_world, i));
         const Real axis = length(column(result.to_scene_, i));
         const Real inverse_axis = length(result.to_unit_.a[static_cast<std::size_t>(i)]);
         result.size_ = std::max(result.size_, axis);
         result.thinnest_ = i == 0 ? axis : std::min(result.thinnest_, axis);
         result.condition_ = std::max(result.condition_, axis * inverse_axis);
     }
+    result.placing_ = instance.rounding(reach);
     if (result.kind_ == UnitShape::Disk) result.thinnest_ = 0;
     result.growth_ = std::sqrt(dot(result.to_unit_.a[0], result.to_unit_.a[0]) +
                                dot(result.to_unit_.a[1], result.to_unit_.a[1]) +
@@ -283,7 +286,7 @@ void AnalyticShape::complete(const Ray& ray, AnalyticHit at, Hit& hit) const {
     hit.p = to_scene_.point(q);
     hit.ng = normalize(to_unit_.transposed(n));
     hit.ns = hit.ng;
-    hit.error = kRounding * condition_ * (max_abs(hit.p) + size_);
+    hit.error = resolution_at(max_abs(hit.p));
     hit.resolution = hit.error;
     hit.primitive = at.part;
 }

@@ -59,7 +59,7 @@ class AnalyticShape {
     /// Distances that differ by less than this, at distance `t`, cannot be told apart.
     [[nodiscard]] Real thinnest() const { return thinnest_; }  ///< length of the shortest axis
     [[nodiscard]] Real resolution_at(Real t) const {
-        return kRounding * condition_ * (std::abs(t) + size_);
+        return placing_ + kRounding * condition_ * (std::abs(t) + size_);
     }
 
   private:
@@ -68,6 +68,7 @@ class AnalyticShape {
     static constexpr Real kRounding = 0x1p-41;
 
     UnitShape kind_ = UnitShape::Sphere;
+    Real placing_ = 0;    ///< what the numbers of the document leave open, scene units
     Real size_ = 0;       ///< length of the longest axis
     Real thinnest_ = 0;   ///< of the shortest; 0 for a disk
     Real condition_ = 1;  ///< how much the transform amplifies rounding, >= 1

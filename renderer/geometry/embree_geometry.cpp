@@ -35,7 +35,8 @@ void complete(const PlanePart& plane, const Ray& ray, Real t, Hit& hit) {
     hit.t = t;
     hit.p = p + (plane.offset - dot(plane.n, p)) * plane.n;
     hit.ng = hit.ns = plane.n;
-    hit.error = hit.resolution = 0x1p-41 * (max_abs(hit.p) + std::abs(plane.offset));
+    hit.error = plane.placing + 0x1p-41 * (max_abs(hit.p) + std::abs(plane.offset));
+    hit.resolution = hit.error;
     hit.primitive = 0;
 }
 

@@ -26,6 +26,7 @@ struct PlanePart {
     Vec3 n;
     Real offset = 0;
     PartOwner owner;
+    Real placing = 0;  ///< what the numbers of the document leave open, scene units
 };
 
 /// What Embree has allocated, and how much it may.

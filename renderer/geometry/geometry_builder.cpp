@@ -112,7 +112,8 @@ class Builder {
                 const Vec3 n = normalize(inverse->transposed(plane->normal));
                 const Vec3 point = instance.point(plane->point);
                 if (!is_finite(n) || !is_finite(point)) return refuse(object, "is not finite");
-                data_.planes.push_back({n, dot(n, point), owner});
+                data_.planes.push_back(
+                    {n, dot(n, point), owner, instance.rounding(max_abs(plane->point))});
                 data_.plane_coordinates.emplace_back(plane->normal, *inverse);
                 plane_points_.push_back(point);
             } else {
@@ -250,7 +251,7 @@ class Builder {
         to_scene.t = to_scene.t - data_.origin;
         const auto buffer = keep(*placed.mesh, to_scene, data_.unscale);
         attach(data_.scene, triangles(*placed.mesh, *buffer), data_.meshes.size());
-        data_.meshes.emplace_back(placed.mesh, buffer, to_scene);
+        data_.meshes.emplace_back(placed.mesh, buffer, to_scene, data_.origin);
     }
 
     /// A reference to a scene that holds the mesh once, about its own middle and of unit size.
@@ -275,7 +276,7 @@ class Builder {
         const auto part = static_cast<std::uint32_t>(data_.meshes.size());
         data_.nested->meshes.push_back({part, shared.scene});
         data_.nested->bounds.push_back(data_.mesh_bounds[part]);
-        data_.meshes.emplace_back(placed.mesh, shared.buffer, to_scene, from_buffer);
+        data_.meshes.emplace_back(placed.mesh, shared.buffer, to_scene, data_.origin, from_buffer);
     }
 
     GeometryHandle triangles(const TriangleMesh& mesh, const MeshBuffer& buffer) {

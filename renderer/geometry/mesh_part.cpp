@@ -74,21 +74,24 @@ std::uint64_t MeshBuffer::bytes() const {
 }
 
 MeshPart::MeshPart(std::shared_ptr<const TriangleMesh> mesh,
-                   std::shared_ptr<const MeshBuffer> buffer, const Transform& to_scene)
+                   std::shared_ptr<const MeshBuffer> buffer, const Transform& to_scene, Vec3 origin)
     : mesh_(std::move(mesh)),
       buffer_(std::move(buffer)),
       to_scene_(to_scene),
       to_mesh_(to_scene.inverse().value_or(Transform{})) {
     Bounds bounds;
     for (const Vec3& p : mesh_->positions) bounds.add(p);
-    resolution_ = kFileRounding * max_abs(bounds.half_size()) *
-                  std::max({length(to_scene.a[0]), length(to_scene.a[1]), length(to_scene.a[2])});
+    const Transform to_world = Transform::translate(origin) * to_scene;
+    resolution_ =
+        to_world.rounding(max_abs(max(bounds.hi, -bounds.lo))) +
+        kFileRounding * max_abs(bounds.half_size()) *
+            std::max({length(to_scene.a[0]), length(to_scene.a[1]), length(to_scene.a[2])});
 }
 
 MeshPart::MeshPart(std::shared_ptr<const TriangleMesh> mesh,
-                   std::shared_ptr<const MeshBuffer> buffer, const Transform& to_scene,
+                   std::shared_ptr<const MeshBuffer> buffer, const Transform& to_scene, Vec3 origin,
                    const Transform& from_buffer)
-    : MeshPart(std::move(mesh), std::move(buffer), to_scene) {
+    : MeshPart(std::move(mesh), std::move(buffer), to_scene, origin) {
     const Transform to_buffer = from_buffer.inverse().value_or(Transform{});
     const Real size =
         std::max({length(from_buffer.a[0]), length(from_buffer.a[1]), length(from_buffer.a[2])});
@@ -150,6 +153,7 @@ void MeshPart::refine(const Ray& ray, const TriangleHit& at, Hit& hit) const {
     }
     hit.ns = hit.ng;
     hit.resolution = resolution_;
+    hit.error = std::max(hit.error, resolution_);
     hit.u = at.u;
     hit.v = at.v;
     hit.primitive = at.primitive;

@@ -50,13 +50,13 @@ struct TriangleHit {
 class MeshPart {
   public:
     /// A copy of its own: `buffer` is in the coordinates of rays. `to_scene` takes the mesh's own
-    /// coordinates to those of rays; it is invertible.
+    /// coordinates to those of rays, which begin at `origin`; it is invertible.
     MeshPart(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const MeshBuffer> buffer,
-             const Transform& to_scene);
+             const Transform& to_scene, Vec3 origin);
     /// A mesh in coordinates of its own: `buffer` may be shared, and `from_buffer` takes it to the
     /// coordinates of rays.
     MeshPart(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const MeshBuffer> buffer,
-             const Transform& to_scene, const Transform& from_buffer);
+             const Transform& to_scene, Vec3 origin, const Transform& from_buffer);
 
     /// Meets the plane of the triangle in double. Fills t, p, ng, error, resolution, u, v and
     /// primitive of `hit`; the triangle may turn out to lie behind the ray's origin, t <= 0.

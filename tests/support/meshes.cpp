@@ -64,6 +64,40 @@ std::shared_ptr<const TriangleMesh> cube() {
     return std::make_shared<const TriangleMesh>(std::move(mesh));
 }
 
+std::shared_ptr<const TriangleMesh> box_mesh(Vec3 min, Vec3 max) {
+    TriangleMesh mesh = *cube();
+    const auto between = [](Real lo, Real hi, Real x) { return x < 0 ? lo : hi; };
+    for (Vec3& p : mesh.positions) {
+        p = {between(min.x, max.x, p.x), between(min.y, max.y, p.y), between(min.z, max.z, p.z)};
+    }
+    return std::make_shared<const TriangleMesh>(std::move(mesh));
+}
+
+Shape box_or_mesh(bool is_mesh, Vec3 min, Vec3 max) {
+    if (is_mesh) return box_mesh(min, max);
+    return Box{min, max};
+}
+
+std::shared_ptr<const TriangleMesh> prism(Real radius, Real from_z, Real to_z, int sides,
+                                          Real turn_rad) {
+    TriangleMesh mesh;
+    mesh.positions = {{0, 0, from_z}, {0, 0, to_z}};
+    for (int i = 0; i < sides; ++i) {
+        const Real phi = turn_rad + 2 * kPi * i / sides;
+        for (const Real z : {from_z, to_z})
+            mesh.positions.push_back({radius * std::cos(phi), radius * std::sin(phi), z});
+    }
+    for (int i = 0; i < sides; ++i) {
+        const auto low = static_cast<std::uint32_t>(2 + 2 * i);
+        const auto next = static_cast<std::uint32_t>(2 + 2 * ((i + 1) % sides));
+        mesh.triangles.push_back({0, next, low});
+        mesh.triangles.push_back({1, low + 1, next + 1});
+        mesh.triangles.push_back({low, next, next + 1});
+        mesh.triangles.push_back({low, next + 1, low + 1});
+    }
+    return std::make_shared<const TriangleMesh>(std::move(mesh));
+}
+
 std::shared_ptr<const TriangleMesh> torus(Real ring, Real tube, int around, int across) {
     TriangleMesh mesh;
     const auto index = [&](int i, int j) {

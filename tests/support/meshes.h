@@ -15,6 +15,17 @@ namespace bouguer::renderer::test {
 /// The surface of the cube [-1, 1]^3, 12 triangles, 8 vertices.
 [[nodiscard]] std::shared_ptr<const TriangleMesh> cube();
 
+/// The surface of a box, 12 triangles.
+[[nodiscard]] std::shared_ptr<const TriangleMesh> box_mesh(Vec3 min, Vec3 max);
+
+/// A box as itself or as the mesh of its surface.
+[[nodiscard]] Shape box_or_mesh(bool is_mesh, Vec3 min, Vec3 max);
+
+/// A closed prism about z with `sides` flat sides: its corners lie `radius` from the axis, the
+/// first one in the direction of x turned by `turn_rad`. Caps are fans about their middle.
+[[nodiscard]] std::shared_ptr<const TriangleMesh> prism(Real radius, Real from_z, Real to_z,
+                                                        int sides, Real turn_rad = 0);
+
 /// A torus about z: `ring` is the radius of its middle circle, `tube` that of its cross-section.
 [[nodiscard]] std::shared_ptr<const TriangleMesh> torus(Real ring, Real tube, int around,
                                                         int across);

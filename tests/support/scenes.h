@@ -42,10 +42,13 @@ class SceneBuilder {
     SceneBuilder() { description.camera = PerspectiveCamera{{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 40}; }
 
     SceneBuilder& add(Shape shape, MaterialModel material) {
+        return place({std::move(shape)}, std::move(material));
+    }
+    SceneBuilder& place(PlacedShape placed, MaterialModel material, int priority = 0) {
         const std::string name = "object " + std::to_string(description.objects.size());
         description.materials.push_back({name, std::move(material), {}});
         description.objects.push_back(
-            {name, {std::move(shape), {Transform{}}}, description.materials.size() - 1});
+            {name, std::move(placed), description.materials.size() - 1, priority});
         return *this;
     }
     SceneBuilder& light(LightDescription light) {
