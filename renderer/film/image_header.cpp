@@ -25,6 +25,8 @@ class Cursor {
     [[nodiscard]] bool failed() const { return failed_ || error_; }
     [[nodiscard]] const std::optional<Error>& error() const { return error_; }
     void skip(std::uint64_t count) { at_ += count; }
+    /// Bytes up to the end of the file.
+    [[nodiscard]] std::uint64_t left() const { return file_.size() - std::min(at_, file_.size()); }
 
     std::uint8_t byte() {
         if (at_ < begin_ || at_ - begin_ >= window_.size()) load();
@@ -173,7 +175,41 @@ Refusal check_channels(const std::vector<ExrChannel>& channels) {
     return "the image's channels are " + names + "; they must be Y or R, G, B, with or without A";
 }
 
-/// Attributes (name, type, size, value) up to the data window and the channels.
+Refusal take_channels(Cursor value, ImageHeader& header) {
+    const auto channels = read_channels(value);
+    if (value.failed() || header.channels > 0) return kDamaged;
+    header.channels = static_cast<int>(channels.size());
+    return check_channels(channels);
+}
+
+/// x and y of the first and of the last pixel.
+Refusal take_window(Cursor value, ImageHeader& header) {
+    std::array<std::int64_t, 4> box{};
+    for (std::int64_t& side : box) side = static_cast<std::int32_t>(value.little_endian());
+    if (value.failed() || box[2] < box[0] || box[3] < box[1] || header.width > 0) return kDamaged;
+    header.width = static_cast<std::uint64_t>(box[2] - box[0]) + 1;
+    header.height = static_cast<std::uint64_t>(box[3] - box[1]) + 1;
+    return {};
+}
+
+/// The library takes memory for a whole tile, however small the picture is.
+Refusal take_tiles(Cursor value, ImageHeader& /*header*/) {
+    constexpr std::uint64_t kMostPixels = 1U << 22U;
+    const std::uint64_t across = value.little_endian(), down = value.little_endian();
+    if (value.failed() || across * down > kMostPixels) return "the image's tiles are too large";
+    return {};
+}
+
+struct ExrAttribute {
+    std::string_view name;
+    Refusal (*take)(Cursor value, ImageHeader& header);
+};
+constexpr std::array kExrAttributes{ExrAttribute{"channels", &take_channels},
+                                    ExrAttribute{"dataWindow", &take_window},
+                                    ExrAttribute{"tiles", &take_tiles}};
+
+/// All attributes: name, type, size, value. The library takes memory for sizes that are in none of
+/// its types, before it looks whether the file has so many bytes.
 Refusal read_exr(Cursor& file, ImageHeader& header) {
     file.skip(4);
     const std::uint32_t version = file.little_endian();
@@ -181,28 +217,16 @@ Refusal read_exr(Cursor& file, ImageHeader& header) {
         return "the image has several parts, of which none is known to be meant: store one alone";
     if ((version & 0x800U) != 0) return "the image has samples in depth, which are not read";
     header.sample_bytes = 4;  // numbers of 16 bits too are read as floats
-    bool has_window = false;
     for (int i = 0; i < kMostParts && !file.failed(); ++i) {
         const std::string name = file.name();
-        if (name.empty()) return kDamaged;  // the header ends
-        static_cast<void>(file.name());     // its type
+        if (name.empty()) return header.width > 0 && header.channels > 0 ? Refusal() : kDamaged;
+        static_cast<void>(file.name());  // its type
         const std::uint32_t size = file.little_endian();
-        if (name == "channels") {
-            Cursor inside = file;
-            const auto channels = read_channels(inside);
-            if (inside.failed()) return kDamaged;
-            if (Refusal refusal = check_channels(channels); !refusal.empty()) return refusal;
-            header.channels = static_cast<int>(channels.size());
-        } else if (name == "dataWindow") {
-            Cursor inside = file;
-            std::array<std::int64_t, 4> box{};  // x and y of its first and of its last pixel
-            for (std::int64_t& side : box) side = static_cast<std::int32_t>(inside.little_endian());
-            if (inside.failed() || box[2] < box[0] || box[3] < box[1]) return kDamaged;
-            header.width = static_cast<std::uint64_t>(box[2] - box[0]) + 1;
-            header.height = static_cast<std::uint64_t>(box[3] - box[1]) + 1;
-            has_window = true;
-        }
-        if (has_window && header.channels > 0) return {};
+        if (size > file.left()) return kDamaged;
+        const auto known = std::find_if(kExrAttributes.begin(), kExrAttributes.end(),
+                                        [&](const ExrAttribute& a) { return a.name == name; });
+        if (known != kExrAttributes.end())
+            if (Refusal refusal = known->take(file, header); !refusal.empty()) return refusal;
         file.skip(size);
     }
     return kDamaged;

@@ -25,11 +25,13 @@ struct ImageHeader {
 };
 
 /// Reads some KiB from the beginning of the file, and of what stands before the header of a picture
-/// (the segments of JPEG, the attributes of EXR) only where it ends. Of several pictures the first.
+/// or in it (the segments of JPEG, the attributes of EXR) only where it ends. Of several pictures
+/// the first.
 /// Sides are below 2^31. Error{InvalidInput}, "bad-image": another format, no header; a JPEG that
 /// is lossless, hierarchical or not of 8 bits; an EXR file of several parts, with samples in depth,
-/// or with channels other than Y or R, G, B, with or without A, of floats, one a pixel.
-/// [PNG 3rd ed. §11.2.1; ITU T.81 §B; OpenEXR file layout]
+/// whose attributes are larger than it is, with tiles of more than 2^22 pixels, or with channels
+/// other than Y or R, G, B, with or without A, of floats, one a pixel. [PNG 3rd ed. §11.2.1; ITU
+/// T.81 §B; OpenEXR file layout]
 [[nodiscard]] Result<ImageHeader> read_image_header(const ByteSource& file);
 
 /// Error{InvalidInput}, "over-limit": more than `max_pixels`.

@@ -82,8 +82,9 @@ struct Channel {
     std::uint32_t type = 1, sampling = 1;  ///< 0 whole numbers, 1 and 2 floats of 16 and 32 bits
 };
 
-/// The beginning of an EXR file of 1 x 1 pixels. `flags`: of its version field.
-std::string exr_of(const std::vector<Channel>& channels, std::uint32_t flags = 0) {
+/// The header of an EXR file of 1 x 1 pixels. `flags`: of its version field. `more`: attributes.
+std::string exr_of(const std::vector<Channel>& channels, std::uint32_t flags = 0,
+                   const std::string& more = "") {
     std::string list;
     for (const Channel& c : channels)
         list += c.name + '\0' + little_endian(c.type) + little_endian(0) +
@@ -95,7 +96,7 @@ std::string exr_of(const std::vector<Channel>& channels, std::uint32_t flags = 0
                value;
     };
     return "\x76\x2f\x31\x01" + little_endian(2 + flags) + attribute("channels", "chlist", list) +
-           attribute("dataWindow", "box2i", std::string(16, '\0'));
+           attribute("dataWindow", "box2i", std::string(16, '\0')) + more + '\0';
 }
 
 // Whole numbers are names of things. Which of several parts is meant nobody says.
@@ -121,6 +122,21 @@ TEST(ImageHeader, RefusesExrThatIsNoPicture) {
         EXPECT_NE(reason(file).find(words), std::string::npos) << reason(file) << "\n" << words;
         EXPECT_EQ(code_of(file), "bad-image");
     }
+}
+
+// OpenEXR would take 2 GB for a note, or a tile, of which the file has 4 bytes.
+TEST(ImageHeader, RefusesExrThatClaimsMemory) {
+    const auto note = [](std::uint32_t size) {
+        return std::string("note\0mine\0", 10) + little_endian(size) + "text";
+    };
+    EXPECT_EQ(reason(exr_of({{"Y"}}, 0, note(4))), "it is read");
+    EXPECT_EQ(reason(exr_of({{"Y"}}, 0, note(0x7fffffff))), kDamagedImageHeader);
+    const auto tiles = [](std::uint32_t side) {
+        return std::string("tiles\0tiledesc\0", 15) + little_endian(9) + little_endian(side) +
+               little_endian(side) + '\0';
+    };
+    EXPECT_EQ(reason(exr_of({{"Y"}}, 0x200, tiles(2048))), "it is read");
+    EXPECT_EQ(reason(exr_of({{"Y"}}, 0x200, tiles(2049))), "the image's tiles are too large");
 }
 
 TEST(ImageHeader, RefusesJpegOfRareKinds) {
