@@ -19,8 +19,9 @@ struct Limits {
     std::size_t lights = 1'000;
     std::size_t spectra = 1'000;
     std::size_t spectrum_samples = 10'000;
-    std::size_t spectrum_parts = 64;       ///< factors of a product, with those of its factors
-    std::size_t spectrum_references = 32;  ///< spectra that refer to spectra, in a row
+    std::size_t spectrum_parts = 64;        ///< factors of a product, with those of its factors
+    std::size_t product_work = 10'000'000;  ///< of the products of a scene, see ReadSpectrum
+    std::size_t spectrum_references = 32;   ///< spectra that refer to spectra, in a row
     std::size_t textures = 1'000;
     std::size_t texture_pixels = 16'777'216;        ///< of one image: 4096 x 4096
     std::size_t scene_texture_pixels = 33'554'432;  ///< of all image textures of a scene

@@ -29,6 +29,7 @@ std::optional<ReadSpectrum> accept(const JsonValue& value, const Result<Spectrum
 void include_samples(ReadSpectrum& read, const std::vector<double>& wavelengths_nm,
                      const std::vector<double>& values) {
     read.told_nm = Interval{wavelengths_nm.front(), wavelengths_nm.back()};
+    read.samples = values.size();
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (wavelengths_nm[i] < renderer::kLambdaMin_nm) continue;
         if (wavelengths_nm[i] > renderer::kLambdaMax_nm) continue;

@@ -16,11 +16,19 @@ namespace bouguer::api {
 struct ReadSpectrum {
     renderer::SpectrumPtr spectrum;
     double low = 0, high = 0;
-    std::size_t parts = 1;  ///< how many spectra are evaluated for one value
-    bool is_index = false;  ///< of refraction, by its kind or its name: it is nothing else
+    std::size_t parts = 1;    ///< how many spectra are evaluated for one value
+    std::size_t samples = 1;  ///< pieces between which the parts are smooth, all told
+    bool is_index = false;    ///< of refraction, by its kind or its name: it is nothing else
     /// Where the document itself tells the values, nm; empty for those that are told everywhere
     /// (a constant, a black body) or by the library.
     std::optional<Interval> told_nm{};
+
+    /// About how many values must be looked up to integrate a product over a quadrature: parts x
+    /// (samples + 100 parts). 0 of what is no product.
+    [[nodiscard]] std::size_t product_work() const {
+        constexpr std::size_t kSamplesOfAPart = 100;
+        return parts > 1 ? parts * (samples + kSamplesOfAPart * parts) : 0;
+    }
 };
 
 /// `spectrum` with its bounds on the 1 nm grid of the rendered range.

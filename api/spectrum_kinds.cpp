@@ -6,6 +6,7 @@
 
 #include "api/index_kinds.h"
 #include "api/spectrum_reader.h"
+#include "api/spectrum_units.h"
 #include "renderer/spectrum/colour.h"
 #include "renderer/spectrum/spectra.h"
 
@@ -18,27 +19,6 @@ constexpr Interval kWidth_nm{0, 1e9, true};
 constexpr Interval kTemperature_K{renderer::kBlackbodyMin_K, renderer::kBlackbodyMax_K};
 constexpr Interval kAnyTemperature_K{0, renderer::kBlackbodyMax_K, true};
 
-/// Whether a table that ends before 360 nm or begins after 830 nm is in another unit: it would
-/// count as one constant. `wavelengths` are not empty.
-bool is_in_nm(const JsonValue& at, double first_nm, double last_nm) {
-    if (last_nm >= renderer::kLambdaMin_nm && first_nm <= renderer::kLambdaMax_nm) return true;
-    const std::array units{std::pair{"micrometres", 1e3}, std::pair{"metres", 1e9},
-                           std::pair{"Angstrom", 0.1}};
-    std::string looks;
-    for (const auto& [name, nm] : units) {
-        if (last_nm * nm >= renderer::kLambdaMin_nm && first_nm * nm <= renderer::kLambdaMax_nm)
-            looks = std::string("; as ") + name + " it would be " + number_text(first_nm * nm) +
-                    " to " + number_text(last_nm * nm) + " nm";
-    }
-    at.problems().add({at.pointer(), "no-visible-sample",
-                       "no sample lies from 360 to 830 nm, so the whole table would count as one "
-                       "number" +
-                           looks,
-                       number_text(first_nm) + " to " + number_text(last_nm),
-                       "wavelengths in nanometres, some of them from 360 to 830"});
-    return false;
-}
-
 std::optional<ReadSpectrum> read_samples(SpectrumReader& spectra, JsonReader& reader) {
     const std::size_t most = spectra.limits().spectrum_samples;
     const auto at = reader.require("wavelengths_nm");
@@ -48,10 +28,12 @@ std::optional<ReadSpectrum> read_samples(SpectrumReader& spectra, JsonReader& re
     if (!wavelengths || !values) return std::nullopt;
     if (!wavelengths->empty()) {
         const auto [first, last] = std::minmax_element(wavelengths->begin(), wavelengths->end());
-        if (*first > 0 && !is_in_nm(*at, *first, *last)) return std::nullopt;
+        if (*first > 0 && !is_visible_table(*at, *first, *last)) return std::nullopt;
     }
     auto read = accept(reader.value(), renderer::sampled_spectrum(*wavelengths, *values));
-    if (read) include_samples(*read, *wavelengths, *values);
+    if (!read) return read;
+    include_samples(*read, *wavelengths, *values);
+    warn_of_untold(*at, *wavelengths, *values);
     return read;
 }
 
@@ -62,7 +44,8 @@ std::optional<ReadSpectrum> read_regular(SpectrumReader& spectra, JsonReader& re
     const auto values = of ? of->numbers(spectra.limits().spectrum_samples) : std::nullopt;
     if (!first || !step || !values) return std::nullopt;
     const double last = *first + *step * static_cast<double>(values->size() - 1);
-    if (!values->empty() && !is_in_nm(*reader.find("first_nm"), *first, last)) return std::nullopt;
+    if (!values->empty() && !is_visible_table(*reader.find("first_nm"), *first, last))
+        return std::nullopt;
     auto read = accept(reader.value(), renderer::regular_spectrum(*first, *step, *values));
     if (!read) return read;
     std::vector<double> wavelengths(values->size());
@@ -70,6 +53,7 @@ std::optional<ReadSpectrum> read_regular(SpectrumReader& spectra, JsonReader& re
         wavelengths[i] = *first + static_cast<double>(i) * *step;
     }
     include_samples(*read, wavelengths, *values);
+    warn_of_untold(reader.value(), wavelengths, *values);
     return read;
 }
 
@@ -114,11 +98,7 @@ std::optional<ReadSpectrum> read_hex(SpectrumReader& spectra, JsonReader& reader
 std::optional<ReadSpectrum> with_peak(const JsonValue& at, std::optional<ReadSpectrum> read,
                                       double at_nm, double peak, double reach_nm) {
     if (read) read->told_nm = Interval{std::max(at_nm - reach_nm, 0.0), at_nm + reach_nm};
-    constexpr double kShortest_nm = 50, kLongest_nm = 3000;  // what a lamp is thought to have
-    if (read && (at_nm < kShortest_nm || at_nm > kLongest_nm)) {
-        at.warn("far-from-visible", "nothing of it lies from 360 to 830 nm",
-                "see that the wavelength is in nanometres");
-    }
+    if (read && !is_visible_peak(at, at_nm)) return std::nullopt;
     if (read && at_nm >= renderer::kLambdaMin_nm && at_nm <= renderer::kLambdaMax_nm) {
         read->high = std::max(read->high, peak);
     }
@@ -131,7 +111,8 @@ std::optional<ReadSpectrum> read_gaussian(SpectrumReader& /*spectra*/, JsonReade
     const auto peak = reader.require_number("peak", kValue);
     if (!center || !fwhm || !peak) return std::nullopt;
     const auto made = renderer::gaussian_spectrum(*center, *fwhm, *peak);
-    return with_peak(reader.value(), accept(reader.value(), made), *center, *peak, 3 * *fwhm);
+    return with_peak(*reader.find("center_nm"), accept(reader.value(), made), *center, *peak,
+                     3 * *fwhm);
 }
 
 std::optional<ReadSpectrum> read_line(SpectrumReader& /*spectra*/, JsonReader& reader) {
@@ -140,8 +121,8 @@ std::optional<ReadSpectrum> read_line(SpectrumReader& /*spectra*/, JsonReader& r
     const auto integral = reader.require_number("integral", kValue);
     if (!line || !width || !integral) return std::nullopt;
     const auto made = renderer::line_spectrum(*line, *width, *integral);
-    return with_peak(reader.value(), accept(reader.value(), made), *line, *integral / *width,
-                     *width / 2);
+    return with_peak(*reader.find("line_nm"), accept(reader.value(), made), *line,
+                     *integral / *width, *width / 2);
 }
 
 std::optional<ReadSpectrum> read_scaled(SpectrumReader& spectra, JsonReader& reader) {
@@ -153,6 +134,7 @@ std::optional<ReadSpectrum> read_scaled(SpectrumReader& spectra, JsonReader& rea
                         base->low * *scale,
                         base->high * *scale,
                         base->parts,
+                        base->samples,
                         base->is_index,
                         base->told_nm};
 }
@@ -171,11 +153,12 @@ ReadSpectrum multiplied(const std::vector<ReadSpectrum>& factors) {
         spectrum = renderer::product_spectrum(std::move(spectrum), factors[i].spectrum);
     }
     ReadSpectrum product = with_bounds(std::move(spectrum));
-    product.parts = 0;
+    product.parts = product.samples = 0;
     bool is_narrow = false;
     double high = 1;
     for (const ReadSpectrum& factor : factors) {
         product.parts += factor.parts;
+        product.samples += factor.samples;
         product.told_nm = common(product.told_nm, factor.told_nm);
         product.is_index = product.is_index || factor.is_index;
         is_narrow = is_narrow || factor.high > with_bounds(factor.spectrum).high;

@@ -18,6 +18,8 @@ constexpr Interval kMetalN{0, 100, true};
 constexpr Interval kMetalK{0, 100};
 /// Less than this share of a light's energy is not worth a note.
 constexpr double kLeastShare = 1e-6;
+/// More than a spectrum of the library has.
+constexpr std::size_t kLibrarySamples = 600;
 
 /// No key tells the kind: helps with the key that comes nearest to one that would.
 void report_no_kind(const JsonValue& value) {
@@ -89,12 +91,12 @@ SpectrumReader::SpectrumReader(std::optional<JsonValue> definitions, const Limit
 }
 
 SpectrumPtr SpectrumReader::factor(const JsonValue& value) {
-    const auto read = any(value);
+    const auto read = use(value);
     return read ? no_index(value, *read, kFactor) : nullptr;
 }
 
 SpectrumPtr SpectrumReader::emission(const JsonValue& value) {
-    const auto read = any(value);
+    const auto read = use(value);
     SpectrumPtr spectrum = read ? no_index(value, *read, kEmission) : nullptr;
     if (!spectrum || !read->told_nm) return spectrum;
     const double share =
@@ -118,7 +120,7 @@ SpectrumPtr SpectrumReader::index(const JsonValue& value) {
         report_unknown_name(value, "index of refraction", known);
         return nullptr;
     }
-    const auto read = any(value);
+    const auto read = use(value);
     return read ? within(value, *read, kIndex) : nullptr;
 }
 
@@ -132,8 +134,8 @@ std::optional<renderer::ComplexIndex> SpectrumReader::metal(const JsonValue& val
     const auto n_value = reader.require("n");
     const auto k_value = reader.require("k");
     reader.reject_unknown_keys();
-    const auto n = n_value ? any(*n_value) : std::nullopt;
-    const auto k = k_value ? any(*k_value) : std::nullopt;
+    const auto n = n_value ? use(*n_value) : std::nullopt;
+    const auto k = k_value ? use(*k_value) : std::nullopt;
     renderer::ComplexIndex metal;
     if (n) metal.n = within(*n_value, *n, kMetalN);
     if (k) metal.k = no_index(*k_value, *k, kMetalK);
@@ -149,6 +151,20 @@ void SpectrumReader::read_all() {
         }
         static_cast<void>(defined(definition.value, definition));
     }
+}
+
+/// any(), counted: every use of a product is integrated anew. Nothing more is read once they are
+/// too much.
+std::optional<ReadSpectrum> SpectrumReader::use(const JsonValue& value) {
+    if (product_work_ > limits_.product_work) return std::nullopt;
+    auto read = any(value);
+    if (!read) return read;
+    product_work_ += read->product_work();
+    if (product_work_ <= limits_.product_work) return read;
+    value.report("over-limit", "the products of spectra of this scene are too much to integrate",
+                 "factors x (samples + 100 factors), summed over all uses of products, at most " +
+                     std::to_string(limits_.product_work));
+    return std::nullopt;
 }
 
 std::optional<ReadSpectrum> SpectrumReader::any(const JsonValue& value) {
@@ -179,7 +195,11 @@ std::optional<ReadSpectrum> SpectrumReader::named(const JsonValue& value) {
     if (const auto it = definitions_.find(name); it != definitions_.end()) {
         return defined(value, it->second);
     }
-    if (auto spectrum = renderer::library_spectrum(name)) return with_bounds(std::move(spectrum));
+    if (auto spectrum = renderer::library_spectrum(name)) {
+        ReadSpectrum read = with_bounds(std::move(spectrum));
+        read.samples = kLibrarySamples;
+        return read;
+    }
     if (auto index = renderer::library_index(name)) return index_with_bounds(std::move(index));
     auto known = defined_names();
     append_names(known, renderer::library_entries());

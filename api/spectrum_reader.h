@@ -63,6 +63,7 @@ class SpectrumReader {
 
     [[nodiscard]] std::vector<std::string_view> defined_names() const;
     [[nodiscard]] bool is_known(std::string_view name) const;
+    std::optional<ReadSpectrum> use(const JsonValue& value);
     std::optional<ReadSpectrum> named(const JsonValue& value);
     std::optional<renderer::ComplexIndex> named_metal(const JsonValue& value);
     std::optional<ReadSpectrum> defined(const JsonValue& reference, Definition& definition);
@@ -71,7 +72,8 @@ class SpectrumReader {
     const Limits& limits_;
     renderer::SpectrumNotes notes_;
     std::map<std::string, Definition, std::less<>> definitions_;
-    std::size_t depth_ = 0;  ///< of references being followed
+    std::size_t depth_ = 0;         ///< of references being followed
+    std::size_t product_work_ = 0;  ///< of all uses so far
 };
 
 }  // namespace bouguer::api

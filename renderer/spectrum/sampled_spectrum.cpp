@@ -89,9 +89,13 @@ double SampledSpectrum::at(double lambda_nm) const {
     return (1 - t) * values_[i - 1] + t * values_[i];
 }
 
-double SampledSpectrum::tent_mean(double lambda_nm, double step_nm) const {
+bool SampledSpectrum::is_rough(double step_nm) const {
     // A hair of tolerance: samples at the step itself are seen by the nodes as they are.
-    if (is_constant_ || spacing_nm_ > step_nm * (1 - 1e-9)) return at(lambda_nm);
+    return !is_constant_ && spacing_nm_ <= step_nm * (1 - 1e-9);
+}
+
+double SampledSpectrum::tent_mean(double lambda_nm, double step_nm) const {
+    if (!is_rough(step_nm)) return at(lambda_nm);
     const auto weighted = [&](double w) {
         return at(w) * (1 - std::abs(w - lambda_nm) / step_nm) / step_nm;
     };
@@ -112,9 +116,9 @@ double SampledSpectrum::tent_mean(double lambda_nm, double step_nm) const {
     return std::max(integral, 0.0);
 }
 
-void SampledSpectrum::add_breaks(double low_nm, double high_nm, double step_nm,
+void SampledSpectrum::add_breaks(double low_nm, double high_nm,
                                  std::vector<double>& breaks_nm) const {
-    if (is_constant_ || spacing_nm_ > step_nm * (1 - 1e-9)) return;
+    if (is_constant_) return;
     auto next = std::upper_bound(wavelengths_nm_.begin(), wavelengths_nm_.end(), low_nm);
     for (; next != wavelengths_nm_.end() && *next < high_nm; ++next) breaks_nm.push_back(*next);
 }

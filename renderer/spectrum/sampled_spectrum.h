@@ -19,8 +19,8 @@ class SampledSpectrum final : public Spectrum {
     [[nodiscard]] double at(double lambda_nm) const override;
     /// at() where the samples stand a step apart or more; closer ones are averaged, exactly.
     [[nodiscard]] double tent_mean(double lambda_nm, double step_nm) const override;
-    void add_breaks(double low_nm, double high_nm, double step_nm,
-                    std::vector<double>& breaks_nm) const override;
+    [[nodiscard]] bool is_rough(double step_nm) const override;
+    void add_breaks(double low_nm, double high_nm, std::vector<double>& breaks_nm) const override;
     [[nodiscard]] bool is_constant() const override { return is_constant_; }
 
   private:

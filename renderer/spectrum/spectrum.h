@@ -28,10 +28,13 @@ class Spectrum {
         return at(lambda_nm);
     }
 
-    /// Adds the wavelengths inside (low_nm, high_nm) between which the spectrum is smooth, if it is
-    /// narrower than `step_nm` anywhere there: tent_mean() of a product takes them for the ends of
-    /// its pieces. None by default.
-    virtual void add_breaks(double /*low_nm*/, double /*high_nm*/, double /*step_nm*/,
+    /// Whether at() on nodes `step_nm` apart may miss some of it, so that tent_mean() differs:
+    /// products of it take means, too.
+    [[nodiscard]] virtual bool is_rough(double /*step_nm*/) const { return false; }
+
+    /// Adds the wavelengths inside (low_nm, high_nm) between which the spectrum is smooth, in any
+    /// order. None by default.
+    virtual void add_breaks(double /*low_nm*/, double /*high_nm*/,
                             std::vector<double>& /*breaks_nm*/) const {}
 
     /// Whether at() is the same for every wavelength: then one number stands for the spectrum.

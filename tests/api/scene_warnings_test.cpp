@@ -71,26 +71,5 @@ TEST(SceneWarnings, AreBounded) {
     EXPECT_EQ(twice.listed().size(), Warnings::kMostOfOneCode + 2);
 }
 
-// Micrometres, metres and Angstrom: a table that would count as one number.
-TEST(SceneWarnings, TablesInAnotherUnitAreRefused) {
-    const std::vector<std::vector<double>> tables{
-        {0.4, 0.55, 0.7}, {4e-7, 5.5e-7, 7e-7}, {4000, 5500, 7000}};
-    for (const auto& table : tables) {
-        json s = tests::good_scene();
-        s["materials"]["glass"]["reflectance"] = {{"wavelengths_nm", table},
-                                                  {"values", {0.1, 0.5, 0.9}}};
-        const auto job = parse_job(s.dump(), Limits{}, tests::NoAssets{});
-        ASSERT_FALSE(job) << table[0];
-        const Problem& problem = job.error().problems.at(0);
-        EXPECT_EQ(problem.pointer, "/materials/glass/reflectance/wavelengths_nm");
-        EXPECT_EQ(problem.code, "no-visible-sample");
-        EXPECT_NE(problem.detail.find("; as "), std::string::npos) << problem.detail;
-    }
-    json s = tests::good_scene();
-    s["materials"]["glass"]["reflectance"] = {
-        {"first_nm", 0.4}, {"step_nm", 0.1}, {"values", {0.1, 0.5, 0.9}}};
-    EXPECT_FALSE(parse_job(s.dump(), Limits{}, tests::NoAssets{}));
-}
-
 }  // namespace
 }  // namespace bouguer::api

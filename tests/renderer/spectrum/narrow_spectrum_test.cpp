@@ -138,5 +138,63 @@ TEST(ProductSpectrum, OfNeedlesIsExact) {
     EXPECT_NEAR(sum, 0.5 * 1e3 * 0.0005, 1e-6);
 }
 
+double integral_by(const SpectrumPtr& s, double step_nm) {
+    double sum = 0;
+    for (double nm = 360; nm <= 830; nm += step_nm) sum += step_nm * s->tent_mean(nm, step_nm);
+    return sum;
+}
+
+// The product of gaussians is a gaussian: 64 of one width about one wavelength have an eighth of
+// it, and exp(-(a - b)^2 / (2 (s^2 + t^2))) is left of two apart.
+TEST(ProductSpectrum, OfManyBellsIsOneBell) {
+    const double fwhm = 10, sigma = fwhm / std::sqrt(8 * std::log(2.0));
+    const SpectrumPtr bell = *gaussian_spectrum(550.3, fwhm, 1);
+    SpectrumPtr all = bell;
+    for (int i = 1; i < 64; ++i) all = product_spectrum(all, bell);
+    const double expected = sigma / 8 * std::sqrt(2 * kPi);
+    for (const double step : {1.0, 5.0, 10.0})
+        EXPECT_NEAR(integral_by(all, step), expected, 1e-8 * expected) << step;
+    const SpectrumPtr two =
+        product_spectrum(scaled_spectrum(bell, 2), *gaussian_spectrum(556, 4, 3));
+    for (const double nm : {540.0, 552.0, 555.5})
+        EXPECT_NEAR(two->at(nm), 2 * bell->at(nm) * (*gaussian_spectrum(556, 4, 3))->at(nm), 1e-12);
+    // Far apart nothing is left, and large peaks do not make it something else.
+    const SpectrumPtr apart =
+        product_spectrum(*gaussian_spectrum(400, 0.1, 1e300), *gaussian_spectrum(700, 0.1, 1e300));
+    EXPECT_EQ(integral_by(apart, 5), 0);
+}
+
+// A band of 8 nm cuts a bell that nodes of 1 nm would see by themselves.
+TEST(ProductSpectrum, TakesMeansEverywhereOrNowhere) {
+    const double fwhm = 5, sigma = fwhm / std::sqrt(8 * std::log(2.0));
+    const SpectrumPtr cut =
+        product_spectrum(*line_spectrum(550.3, 8, 8), *gaussian_spectrum(552, fwhm, 1));
+    const auto below = [&](double nm) { return std::erf((nm - 552) / (sigma * std::sqrt(2.0))); };
+    const double expected = sigma * std::sqrt(kPi / 2) * (below(554.3) - below(546.3));
+    for (const double step : {1.0, 5.0, 10.0})
+        EXPECT_NEAR(integral_by(cut, step), expected, 1e-8 * expected) << step;
+}
+
+// 1 - 0.9 x / 49 to the power of 64, on both sides of 551 nm: 2 x 49 / (0.9 x 65), but for 1e-65.
+TEST(ProductSpectrum, OfManyIsNarrowerThanEach) {
+    const SpectrumPtr tent = *sampled_spectrum({502, 551, 600}, {0.1, 1, 0.1});
+    SpectrumPtr power = tent;
+    for (int i = 1; i < 64; ++i) power = product_spectrum(power, tent);
+    const double expected = 2 * 49 / (0.9 * 65);
+    for (const double step : {1.0, 5.0, 10.0})
+        EXPECT_NEAR(integral_by(power, step), expected, 1e-7 * expected) << step;
+}
+
+// A triple: a line of 1.7 nm, half a table's ramp and a constant factor. The mean of the ramp
+// (nm - 500) / 100 over the line is 0.515.
+TEST(ProductSpectrum, OfLineRampAndScale) {
+    const SpectrumPtr ramp = *sampled_spectrum({500, 600}, {0, 1});
+    const SpectrumPtr three =
+        product_spectrum(product_spectrum(scaled_spectrum(ramp, 3), *line_spectrum(551.5, 1.7, 2)),
+                         constant_spectrum(0.5));
+    for (const double step : {1.0, 5.0, 80.0})
+        EXPECT_NEAR(integral_by(three, step), 3 * 2 * 0.5 * 0.515, 1e-9) << step;
+}
+
 }  // namespace
 }  // namespace bouguer::renderer
