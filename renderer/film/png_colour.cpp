@@ -75,8 +75,8 @@ Result<void> take_cicp(std::string_view data, PictureColour& colour) {
     };
     if (byte_of(data, 2) != 0) return unread("that its numbers are not R, G, B");
     if (byte_of(data, 3) != 1) return unread("that its numbers are of narrow range");
-    if (curve == 16) return unread("PQ, absolute luminances,");
-    if (curve == 18) return unread("HLG, light for a screen in its room,");
+    if (curve == 16) return unread("PQ (absolute luminances)");
+    if (curve == 18) return unread("HLG (light for a screen in its room)");
     const Primaries* known = entry_of(kPrimaries, primaries);
     const Curve* known_curve = entry_of(kCurves, curve);
     if (known == nullptr) return unread("primaries " + std::to_string(primaries));

@@ -69,4 +69,21 @@ inline std::string exif_of(int orientation) {
            static_cast<char>(orientation) + std::string("\0\0\0\0\0\0", 6);
 }
 
+/// An Exif segment's data, as a camera writes it: a first directory that points at Exif's, at 26;
+/// that one has an entry and points at the interoperability directory, at 56, with the index.
+inline std::string adobe_rgb_exif(const std::string& colour_space, const std::string& index) {
+    return bytes_of_hex(
+        "4578696600004d4d002a00000008"
+        "0001876900040000"
+        "00010000001a0000"
+        "0000"
+        "0002a00100030000"
+        "0001" +
+        colour_space +
+        "0000a00500040000"
+        "00010000003800000000"
+        "00010001000200000004" +
+        index + "00000000");
+}
+
 }  // namespace bouguer::tests

@@ -38,27 +38,10 @@ TEST(Exif, TakesEverythingElseForUpright) {
         EXPECT_EQ(exif_orientation(std::string_view(whole).substr(0, size)), 1) << size;
 }
 
-/// A first directory that points at Exif's, at 26; that one has an entry and points at the
-/// interoperability directory, at 56, with the index.
-std::string camera(const std::string& colour_space, const std::string& index) {
-    return bytes_of_hex(
-        "4d4d002a00000008"
-        "0001876900040000"
-        "00010000001a0000"
-        "0000"
-        "0002a00100030000"
-        "0001" +
-        colour_space +
-        "0000a00500040000"
-        "00010000003800000000"
-        "00010001000200000004" +
-        index + "00000000");
-}
-
 TEST(Exif, KnowsCamerasThatWriteAdobeRgb) {
-    EXPECT_TRUE(is_adobe_rgb(camera("ffff", "52303300")));   // uncalibrated, R03
-    EXPECT_FALSE(is_adobe_rgb(camera("0001", "52393800")));  // sRGB, R98
-    EXPECT_TRUE(is_adobe_rgb(camera("0002", "52393800")));
+    EXPECT_TRUE(is_adobe_rgb(tests::adobe_rgb_exif("ffff", "52303300")));   // uncalibrated, R03
+    EXPECT_FALSE(is_adobe_rgb(tests::adobe_rgb_exif("0001", "52393800")));  // sRGB, R98
+    EXPECT_TRUE(is_adobe_rgb(tests::adobe_rgb_exif("0002", "52393800")));
     EXPECT_FALSE(is_adobe_rgb(tests::exif_of(1)));
     EXPECT_FALSE(is_adobe_rgb(""));
 }

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "renderer/film/icc_profile.h"
 #include "renderer/render.h"
 #include "tests/support/jpeg_files.h"
 #include "tests/support/png_writer.h"
@@ -200,6 +203,46 @@ TEST(DecodeImage, RefusesBombsBeforeItTakesMemory) {
     const auto image = decode_image(png_of(65535, 65535, 4, 16, {0}));
     EXPECT_EQ(code_of(image), "over-limit");
     EXPECT_NE(image.error().message.find("65535 x 65535"), std::string::npos);
+}
+
+std::string of_bytes(const std::vector<std::uint8_t>& bytes) {
+    return {bytes.begin(), bytes.end()};
+}
+
+// In one segment, in two, and in two of which one is missing.
+TEST(DecodeImage, HandsOnTheProfileOfAJpeg) {
+    const auto profile = icc_profile(*find_display("display-p3"));
+    const std::string text = of_bytes(profile), name("ICC_PROFILE\0", 12);
+    const auto with = [&](const std::string& jpeg, const std::string& place,
+                          const std::string& part) {
+        return tests::with_jpeg_segment(jpeg, '\xe2', name + place + part);
+    };
+    const std::string second = with(tests::rgb_jpeg(), "\2\2", text.substr(200));
+    for (const std::string& jpeg :
+         {with(tests::rgb_jpeg(), "\1\1", text), with(second, "\1\2", text.substr(0, 200))}) {
+        const auto image = decode_image(jpeg);
+        ASSERT_TRUE(image) << image.error().message;
+        EXPECT_EQ(image->colour.icc_profile, profile);
+    }
+    expect_reason(second, "bad ICC marker");
+}
+
+TEST(DecodeImage, HandsOnTheProfileOfAPng) {
+    const auto profile = icc_profile(*find_display("display-p3"));
+    const auto image = decode_image(
+        tests::with_png_chunk(png_of(1, 1, 3, 8, {1, 2, 3}), "iCCP",
+                              std::string("name\0\0", 6) + tests::zlib_of(of_bytes(profile))));
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_EQ(image->colour.icc_profile, profile);
+}
+
+TEST(DecodeImage, TakesACamerasWordForAdobeRgb) {
+    const auto image = decode_image(tests::with_jpeg_segment(
+        tests::rgb_jpeg(), '\xe1', tests::adobe_rgb_exif("ffff", "52303300")));
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_NEAR(image->colour.transfer(0.5), std::pow(0.5, 563 / 256.0), 1e-9);
+    ASSERT_TRUE(image->colour.chromaticities);
+    EXPECT_EQ((*image->colour.chromaticities)[2], 0.21F);  // its green
 }
 
 // Eight ways to store the same picture, 3 x 2:  1 2 3
