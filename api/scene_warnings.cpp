@@ -7,6 +7,7 @@
 #include "api/material_warnings.h"
 #include "api/mesh_warnings.h"
 #include "api/placed_objects.h"
+#include "api/spectral_warnings.h"
 #include "api/warning_sink.h"
 
 namespace bouguer::api {
@@ -22,11 +23,11 @@ void warn_of_scene(const renderer::SceneDescription& scene, const std::string& p
     warn_of_camera(scene, places, sink);
 }
 
-void warn_of_job(const renderer::SceneDescription& scene,
-                 const renderer::RenderSettings& /*settings*/,
+void warn_of_job(const renderer::SceneDescription& scene, const renderer::RenderSettings& settings,
                  const renderer::OutputSettings& output, const std::string& pointer,
                  Problems& problems) {
     WarningSink sink(pointer, problems);
+    warn_of_narrow_spectra(scene, settings, sink);
     warn_of_exposure(scene, output, sink);
 }
 

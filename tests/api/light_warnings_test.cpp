@@ -83,6 +83,30 @@ TEST(LightWarnings, NameNeighboursThatGiveBackMoreThanTheyGet) {
     EXPECT_EQ(warned(s), Texts{});
 }
 
+// A line of 0.1 nm and a band of 0.1 nm beside it have nothing in common; in one step of 5 nm both
+// are means. A lamp that is behind the band already is integrated as it is.
+TEST(SpectralWarnings, NameNarrowColoursInNarrowLight) {
+    const json line{{"line_nm", 550}, {"width_nm", 0.1}, {"integral", 1}};
+    const json band{{"center_nm", 551}, {"fwhm_nm", 0.2}, {"peak", 0.9}};
+    json s = tests::good_scene();
+    s["lights"][0]["intensity"] = line;
+    EXPECT_EQ(warned(s), Texts{}) << "white glass";
+    s["materials"]["glass"]["transmittance"] = band;
+    EXPECT_EQ(warned(s), Texts{"/materials/glass narrow-spectra-meet"});
+    s["lights"][0]["intensity"] = "D65";
+    EXPECT_EQ(warned(s), Texts{}) << "of what is wide the mean is the same everywhere";
+    s["lights"][0]["intensity"] = {{"product", {line, band}}};
+    s["materials"]["glass"].erase("transmittance");
+    EXPECT_EQ(warned(s), Texts{});
+    // The job's own step: one of 1 nm tells a band of 3 nm from a line.
+    s["lights"][0]["intensity"] = line;
+    s["materials"]["glass"]["transmittance"] = {{"center_nm", 551}, {"fwhm_nm", 3}, {"peak", 0.9}};
+    json job{{"format", "bouguer-job/1"}, {"scene", s}};
+    EXPECT_EQ(warned(job), Texts{"/scene/materials/glass narrow-spectra-meet"});
+    job["integrator"]["wavelength_step_nm"] = 1;
+    EXPECT_EQ(warned(job), Texts{});
+}
+
 TEST(CameraWarnings, NameCamerasThatLookAwayFromEverything) {
     for (const char* type : {"perspective", "orthographic"}) {
         json s = tests::good_scene();
