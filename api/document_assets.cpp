@@ -55,8 +55,9 @@ Result<std::uint64_t> DocumentAssets::image_bytes(const std::string& name) {
                               " pixels in all image textures");
     }
     pixels_ += header->pixels();
-    // The chunks of a PNG that hold its pixels are put together once more.
-    const std::uint64_t copies = header->format == renderer::ImageFormat::Png ? 2 : 1;
+    // The chunks of a PNG that hold its pixels are put together once more, the profile of a JPEG
+    // too.
+    const std::uint64_t copies = header->format == renderer::ImageFormat::Exr ? 1 : 2;
     largest_file_ = std::max(largest_file_, copies * (*file)->size());
     return header->decoded_bytes();
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "renderer/film/exif.h"
 #include "renderer/film/image_header.h"
@@ -21,9 +22,6 @@ namespace {
 using Decode = Result<DecodedImage> (*)(std::string_view bytes, const ImageHeader& header);
 Result<DecodedImage> decode_png(std::string_view bytes, const ImageHeader& header);
 Result<DecodedImage> decode_exr(std::string_view bytes, const ImageHeader& header);
-Result<DecodedImage> decode_the_jpeg(std::string_view bytes, const ImageHeader& /*header*/) {
-    return decode_jpeg(bytes);
-}
 
 struct Format {
     ImageFormat format;
@@ -32,7 +30,7 @@ struct Format {
 };
 constexpr std::array kFormats{
     Format{ImageFormat::Png, "\x89PNG\r\n\x1a\n", &decode_png},
-    Format{ImageFormat::Jpeg, "\xff\xd8\xff", &decode_the_jpeg},
+    Format{ImageFormat::Jpeg, "\xff\xd8\xff", &decode_jpeg},
     Format{ImageFormat::Exr, "\x76\x2f\x31\x01", &decode_exr},
 };
 
@@ -42,8 +40,8 @@ const Format* find_format(std::string_view bytes) {
     return it == kFormats.end() ? nullptr : &*it;
 }
 
-tl::unexpected<Error> refuse(const char* reason) {
-    return fail(ErrorKind::InvalidInput, reason, "bad-image");
+tl::unexpected<Error> refuse(std::string reason) {
+    return fail(ErrorKind::InvalidInput, std::move(reason), "bad-image");
 }
 
 /// Bytes that somebody else holds.
@@ -91,10 +89,7 @@ bool read_samples(OIIO::ImageInput& in, OIIO::TypeDesc type, DecodedImage& image
     std::vector<T> samples(static_cast<std::size_t>(image.width) *
                            static_cast<std::size_t>(image.height) *
                            static_cast<std::size_t>(image.channels));
-    if (!in.read_image(0, 0, 0, image.channels, type, samples.data())) {
-        static_cast<void>(in.geterror());
-        return false;
-    }
+    if (!in.read_image(0, 0, 0, image.channels, type, samples.data())) return false;
     image.samples = std::move(samples);
     return true;
 }
@@ -104,6 +99,17 @@ bool read_samples(OIIO::ImageInput& in, DecodedImage& image) {
     if (type == OIIO::TypeDesc::UINT8) return read_samples<std::uint8_t>(in, type, image);
     if (type == OIIO::TypeDesc::UINT16) return read_samples<std::uint16_t>(in, type, image);
     return read_samples<float>(in, OIIO::TypeDesc::FLOAT, image);
+}
+
+/// What the library says of a file that has no name: the first line behind it.
+std::string report_of(const OIIO::ImageInput& in) {
+    std::string text = in.geterror();
+    if (const auto name = text.rfind("\". "); name != std::string::npos) text.erase(0, name + 3);
+    text.erase(std::min(text.find('\n'), text.size()));
+    for (char& c : text)
+        if (c < ' ' || c > '~') c = '?';
+    if (text.ends_with('.')) text.pop_back();
+    return text.empty() ? text : ": " + text;
 }
 
 /// By OpenImageIO. `file_name` chooses the reader.
@@ -134,7 +140,7 @@ Result<DecodedImage> decode_by_library(std::string_view bytes, const ImageHeader
         image.colour.chromaticities = c;
     if (float y = 0; spec.getattribute("whiteLuminance", OIIO::TypeDesc::FLOAT, &y))
         image.white_luminance = y;
-    if (!read_samples(*in, image)) return refuse(kDamagedPixels);
+    if (!read_samples(*in, image)) return refuse(kDamagedPixels + report_of(*in));
     return image;
 }
 

@@ -166,10 +166,12 @@ tl::unexpected<Error> refuse(const std::string& reason) {
 
 }  // namespace
 
-Result<DecodedImage> decode_jpeg(std::string_view bytes) {
+Result<DecodedImage> decode_jpeg(std::string_view bytes, const ImageHeader& header) {
     JpegFile file(bytes);
     jpeg_decompress_struct& info = file.info();
     if (!file.read_header()) return refuse(kDamagedImageHeader + file.report());
+    if (info.image_width != header.width || info.image_height != header.height)
+        return refuse(kDamagedImageHeader);
     if (info.jpeg_color_space == JCS_CMYK || info.jpeg_color_space == JCS_YCCK)
         return refuse("the image is CMYK, amounts of ink: convert it to sRGB");
     if (info.out_color_space != JCS_GRAYSCALE && info.out_color_space != JCS_RGB)

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "renderer/film/image_decoder.h"
+#include "renderer/film/image_header.h"
 
 namespace bouguer::renderer {
 
@@ -14,6 +15,6 @@ namespace bouguer::renderer {
 /// word about is refused, and so are missing scans, more than 100 of them and a file without its
 /// end. Error{InvalidInput}, "bad-image": says what is wrong and at which byte. Thread-safe. [ITU
 /// T.81; libjpeg.txt]
-[[nodiscard]] Result<DecodedImage> decode_jpeg(std::string_view bytes);
+[[nodiscard]] Result<DecodedImage> decode_jpeg(std::string_view bytes, const ImageHeader& header);
 
 }  // namespace bouguer::renderer

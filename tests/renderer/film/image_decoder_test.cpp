@@ -187,6 +187,7 @@ TEST(DecodeImage, RefusesExrWithDamagedPixels) {
     std::string exr = encode_exr(p, {}).value();
     exr[exr.size() - 20] = static_cast<char>(exr[exr.size() - 20] ^ 0x55);
     EXPECT_EQ(code_of(decode_image(exr)), "bad-image");
+    expect_reason(exr, "its pixels are damaged: ");  // and what the library says
 }
 
 TEST(DecodeImage, RefusesMorePixelsThanAllowed) {

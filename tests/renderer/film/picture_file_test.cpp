@@ -75,6 +75,18 @@ TEST(LoadPicture, KnowsTheProfileOfEveryDisplay) {
     }
 }
 
+// 128 of linear numbers is 128 / 255; the red of P3 has Y = 0.228975.
+TEST(LoadPicture, TakesPngByItsCurveAndPrimaries) {
+    const auto linear = load_picture(tests::with_png_chunk(
+        tests::png_of(1, 1, 3, 8, {128, 128, 128}), "gAMA", tests::big_endian(100000)));
+    ASSERT_TRUE(linear) << linear.error().message;
+    EXPECT_NEAR(linear->picture.xyz[1], 128.0 / 255, 1e-6);
+    const auto red = load_picture(tests::with_png_chunk(tests::png_of(1, 1, 3, 8, {255, 0, 0}),
+                                                        "cICP", std::string("\x0c\x0d\0\1", 4)));
+    ASSERT_TRUE(red) << red.error().message;
+    EXPECT_NEAR(red->picture.xyz[1], 0.228975, 1e-5);
+}
+
 TEST(LoadPicture, RefusesWhatIsNoPicture) {
     EXPECT_EQ(load_picture("{}").error().kind, ErrorKind::InvalidInput);
     EXPECT_EQ(load_picture("\xff\xd8\xff").error().code, "bad-image");
