@@ -177,23 +177,33 @@ void EmbreeGeometry::crossings(const Ray& ray, Real from, Real to,
         return std::tie(a.t, a.object, a.instance, a.primitive) <
                std::tie(b.t, b.object, b.instance, b.primitive);
     });
-    drop_double(ray.d, crossings);
+    settle_edges(ray.d, crossings);
 }
 
 /// A line through an edge or a corner of a mesh crosses it once, though Embree finds every triangle
-/// there.
-void EmbreeGeometry::drop_double(Vec3 d, std::vector<Hit>& crossings) const {
+/// there; and one that passes a silhouette outside, by less than single precision tells, does not
+/// cross it, though Embree finds the triangles of both sides.
+void EmbreeGeometry::settle_edges(Vec3 d, std::vector<Hit>& crossings) const {
+    const auto erase = [&](std::size_t i) {
+        crossings.erase(crossings.begin() + static_cast<std::ptrdiff_t>(i));
+    };
     for (std::size_t i = 1; i < crossings.size(); ++i) {
         const Hit& hit = crossings[i];
         if (hit.part >= data_.num_meshes) continue;
+        const MeshPart& mesh = data_.meshes[hit.part];
         for (std::size_t j = i; j-- > 0;) {
             const Hit& before = crossings[j];
             const Real both = hit.error + before.error;
             const Real steepest = std::min(std::abs(dot(hit.ng, d)), std::abs(dot(before.ng, d)));
             if ((hit.t - before.t) * std::max(steepest, 1e-3) > both) break;
-            if (before.part != hit.part || dot(before.ng, d) * dot(hit.ng, d) <= 0) continue;
-            if (!data_.meshes[hit.part].share_corner(before, hit)) continue;
-            crossings.erase(crossings.begin() + static_cast<std::ptrdiff_t>(i--));
+            if (before.part != hit.part || !mesh.share_corner(before, hit)) continue;
+            const bool is_silhouette = dot(before.ng, d) * dot(hit.ng, d) <= 0;
+            if (is_silhouette && !(mesh.is_beside(before) && mesh.is_beside(hit))) continue;
+            erase(i--);
+            if (is_silhouette) {
+                erase(j);
+                if (i > 0) --i;
+            }
             break;
         }
     }

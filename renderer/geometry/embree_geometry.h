@@ -92,7 +92,7 @@ class EmbreeGeometry final : public Geometry {
     [[nodiscard]] std::size_t part_of(std::uint32_t object, std::uint32_t instance) const {
         return data_.part_of_instance[data_.first_of_object[object] + instance];
     }
-    void drop_double(Vec3 d, std::vector<Hit>& crossings) const;
+    void settle_edges(Vec3 d, std::vector<Hit>& crossings) const;
     [[nodiscard]] std::size_t first_plane() const {
         return data_.meshes.size() + data_.analytic->shapes.size();
     }

@@ -185,6 +185,19 @@ Vec3 MeshPart::smooth_point(const Hit& hit) const {
     return is_finite(lift) ? hit.p + lift : hit.p;
 }
 
+bool MeshPart::is_beside(const Hit& hit) const {
+    std::array<Vec3, 3> corners;
+    std::transform(mesh_->triangles[hit.primitive].begin(), mesh_->triangles[hit.primitive].end(),
+                   corners.begin(),
+                   [&](std::uint32_t i) { return to_scene_.point(mesh_->positions[i]); });
+    const auto [a, b, c] = corners;
+    const Vec3 n = cross(b - a, c - a);
+    const auto is_left = [&](Vec3 from, Vec3 to) {
+        return dot(cross(to - from, hit.p - from), n) >= 0;
+    };
+    return !(is_left(a, b) && is_left(b, c) && is_left(c, a));
+}
+
 bool MeshPart::share_corner(const Hit& a, const Hit& b) const {
     for (const std::uint32_t i : mesh_->triangles[a.primitive]) {
         for (const std::uint32_t j : mesh_->triangles[b.primitive]) {

@@ -69,6 +69,8 @@ class MeshPart {
     [[nodiscard]] Vec3 smooth_point(const Hit& hit) const;
     /// Whether the triangles of two hits have a corner in common.
     [[nodiscard]] bool share_corner(const Hit& a, const Hit& b) const;
+    /// Whether the point of a hit is not in its triangle after all, in double.
+    [[nodiscard]] bool is_beside(const Hit& hit) const;
 
     /// From the coordinates of rays to the buffer's; for a mesh in coordinates of its own.
     [[nodiscard]] const Transform& to_buffer() const { return own_->to_buffer; }

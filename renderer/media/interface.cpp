@@ -27,6 +27,15 @@ Real resolution_along(const RayStart& start, Vec3 d) {
 
 bool is_entering(const Hit& hit, Vec3 d) { return dot(hit.ng, d) < 0; }
 
+/// Whether two faces, in the order along `d`, are the two sides of a blunt edge that is grazed.
+bool is_grazed(const Hit& first, const Hit& second, Vec3 d) {
+    if (first.object != second.object || first.instance != second.instance) return false;
+    if (is_entering(first, d) == is_entering(second, d) || dot(first.ng, second.ng) <= 0)
+        return false;
+    const Real steepest = std::min(std::abs(dot(first.ng, d)), std::abs(dot(second.ng, d)));
+    return (second.t - first.t) * steepest <= first.error + second.error;
+}
+
 bool is_same_plane(Vec3 n, Vec3 m) {
     constexpr Real kParallel = 1 - 1e-6;
     return std::abs(dot(n, m)) > kParallel;
@@ -98,25 +107,29 @@ bool InterfaceFinder::resolve_place(Vec3 d, MediumStack& media, Interface& found
 /// place_. False: nothing.
 bool InterfaceFinder::find_place(const RayStart& start, Vec3 d, Real t_max,
                                  const MediumStack& media, Interface& found) {
-    Vec3 o = start.p;
-    if (start.is_on_surface) {
-        if (!start.is_crowded) {
-            o = start.origin(d);
-        } else {
-            if (find_nearby(start, d, t_max, media, found)) return true;
-            // What comes next is nowhere near: half of the way that has been looked through.
-            o = start.p + reach_along(start.ng, d, start.reach) * d;
-        }
+    // All questions are put along one line: at a silhouette two lines meet different surfaces.
+    Ray line{start.p, d};
+    Real from = 0;
+    if (start.is_on_surface && start.is_crowded) {
+        if (find_nearby(start, d, t_max, media, found)) return true;
+        // What comes next is nowhere near: half of the way that has been looked through.
+        from = reach_along(start.ng, d, start.reach);
+    } else if (start.is_on_surface) {
+        line.o = start.origin(d);
     }
-    const Real skipped = dot(o - start.p, d);
-    ++queries_;
-    if (!geometry_.nearest({o, d}, t_max - skipped, found.hit)) return false;
-    found.hit.t += skipped;
-    if (found.hit.is_alone) return true;
-    found.reach = geometry_.reach(found.hit);
-    if (bodies_.is_near_others(found.hit, 4 * found.reach))
-        look_around(start, d, t_max, media, found);
-    return true;
+    const Real shift = dot(line.o - start.p, d);
+    for (int i = 0; i < kMaxPlaces; ++i) {
+        ++queries_;
+        if (!geometry_.nearest({line.at(from), d}, t_max - shift - from, found.hit)) return false;
+        found.hit.t += shift + from;
+        if (found.hit.is_alone) return true;
+        found.reach = geometry_.reach(found.hit);
+        if (!bodies_.is_near_others(found.hit, 4 * found.reach)) return true;
+        const Real seen_to = look_around(start, line, t_max, media, found);
+        if (seen_to == 0) return true;
+        from = seen_to;
+    }
+    return false;
 }
 
 /// Looks for what is within reach of the start.
@@ -134,12 +147,17 @@ bool InterfaceFinder::find_nearby(const RayStart& start, Vec3 d, Real t_max,
 }
 
 /// found.hit is what single precision took for the nearest; finds what really is, and what lies in
-/// the same place.
-void InterfaceFinder::look_around(const RayStart& start, Vec3 d, Real t_max,
+/// the same place. Usually 0; else how far along the line there is nothing: at a silhouette two
+/// queries may differ, and this one, which sees all that shares the place, is believed.
+Real InterfaceFinder::look_around(const RayStart& start, const Ray& line, Real t_max,
                                   const MediumStack& media, Interface& found) {
+    const Vec3 d = line.d;
     const Real reach = reach_along(found.hit.ng, d, found.reach);
+    const Real shift = dot(line.o - start.p, d);
+    const Real middle = found.hit.t - shift;
     ++queries_;
-    geometry_.crossings({start.p, d}, found.hit.t - reach, found.hit.t + reach, place_);
+    geometry_.crossings(line, middle - reach, middle + reach, place_);
+    for (Hit& hit : place_) hit.t += shift;
     // Near the start only what the ray has not left; without a start, only what is in front.
     const Real near =
         start.is_on_surface ? reach_along(start.ng, d, std::max(start.reach, start.error)) : 0;
@@ -147,8 +165,25 @@ void InterfaceFinder::look_around(const RayStart& start, Vec3 d, Real t_max,
         if (hit.t >= t_max - resolution_along(hit, d)) return true;
         return hit.t <= near && (!start.is_on_surface || is_left(start, d, media, hit));
     });
-    if (place_.size() > 1 || (!place_.empty() && place_.front().part != found.hit.part))
-        keep_first_place(d, found);
+    drop_grazed(d);
+    if (place_.empty()) return middle + reach;
+    if (place_.size() > 1 || place_.front().part != found.hit.part) keep_first_place(d, found);
+    return 0;
+}
+
+/// Drops from place_ the pairs of faces at blunt edges that the ray goes in and out at by less than
+/// single precision tells: once in, it might not find its way out.
+void InterfaceFinder::drop_grazed(Vec3 d) {
+    for (std::size_t i = 1; i < place_.size(); ++i) {
+        const Hit& hit = place_[i];
+        const auto before =
+            std::find_if(place_.begin(), place_.begin() + static_cast<std::ptrdiff_t>(i),
+                         [&](const Hit& other) { return is_grazed(other, hit, d); });
+        if (before == place_.begin() + static_cast<std::ptrdiff_t>(i)) continue;
+        place_.erase(place_.begin() + static_cast<std::ptrdiff_t>(i));
+        place_.erase(before);
+        i -= std::min<std::size_t>(i, 2);
+    }
 }
 
 /// Whether a ray from `start` has left `hit` behind it, or is on its way off it.
@@ -173,12 +208,18 @@ bool InterfaceFinder::is_left(const RayStart& start, Vec3 d, const MediumStack& 
 
 /// Drops from place_, which is in the order of t, what lies beyond the first place.
 void InterfaceFinder::keep_first_place(Vec3 d, Interface& found) {
-    Real end = place_.front().t + resolution_along(place_.front(), d);
+    const Real first = place_.front().t;
+    Real end = first + resolution_along(place_.front(), d);
     std::size_t kept = 1;
     for (; kept < place_.size(); ++kept) {
         const Hit& hit = place_[kept];
-        const Real resolution = resolution_along(hit, d);
-        if (hit.t - resolution > end || is_far_side(kept, d)) break;
+        if (hit.t - resolution_along(hit, d) > end) break;
+        if (is_far_side(kept, d)) {
+            // What lies with the far side belongs to it.
+            const Real far = hit.t;
+            while (kept > 1 && place_[kept - 1].t - first > far - place_[kept - 1].t) --kept;
+            break;
+        }
         end = std::max(end, hit.t);
     }
     place_.resize(kept);

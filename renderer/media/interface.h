@@ -105,10 +105,11 @@ class InterfaceFinder {
                     Interface& found);
     bool find_nearby(const RayStart& start, Vec3 d, Real t_max, const MediumStack& media,
                      Interface& found);
-    void look_around(const RayStart& start, Vec3 d, Real t_max, const MediumStack& media,
+    Real look_around(const RayStart& start, const Ray& line, Real t_max, const MediumStack& media,
                      Interface& found);
     [[nodiscard]] bool is_left(const RayStart& start, Vec3 d, const MediumStack& media,
                                const Hit& hit) const;
+    void drop_grazed(Vec3 d);
     void keep_first_place(Vec3 d, Interface& found);
     [[nodiscard]] bool is_far_side(std::size_t index, Vec3 d) const;
 
