@@ -103,13 +103,17 @@ def spline(points, steps):
     return curve + [points[-1]]
 
 
+def goblet_inside():
+    """The profile of a goblet's bowl from the rim down to the axis."""
+    return [*spline([(1.42, 6.6), (1.7, 5.3), (1.6, 4.25), (1.0, 3.5), (0.35, 3.15)], 6), (0.0, 3.08)]
+
+
 def goblet():
     """A wine glass of solid stem: foot, stem, outside of the bowl, rim, inside of the bowl."""
     outside = spline([(1.75, 0.0), (1.8, 0.1), (1.0, 0.32), (0.3, 0.75), (0.24, 1.8), (0.34, 2.6), (1.1, 3.25),
                       (1.75, 4.2), (1.85, 5.3), (1.55, 6.6)], 6)
     rim = [(1.53, 6.66), (1.48, 6.68), (1.43, 6.64)]
-    inside = spline([(1.42, 6.6), (1.7, 5.3), (1.6, 4.25), (1.0, 3.5), (0.35, 3.15)], 6)
-    return lathe([(0.0, 0.0), *outside, *rim, *inside, (0.0, 3.08)])
+    return lathe([(0.0, 0.0), *outside, *rim, *goblet_inside()])
 
 
 def vase():
