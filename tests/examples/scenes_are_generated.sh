@@ -12,5 +12,6 @@ python3 make_figures.py "$work/lee"
 python3 make_models.py "$work/lee"
 python3 make_colour_scenes.py "$work/colour"
 python3 make_textures.py "$work/textures"
+python3 make_glass.py "$work/glass"
 cd "$work"
 for made in */*; do cmp "$made" "$OLDPWD/$made"; done
