@@ -59,7 +59,12 @@ std::vector<Real> numbers_of(const renderer::Shape& shape) {
 class BodyCheck {
   public:
     BodyCheck(const SceneDescription& scene, const std::vector<Place>& places, WarningSink& sink)
-        : scene_(scene), places_(places), sink_(sink), twin_(scene.objects.size(), false) {}
+        : scene_(scene), places_(places), sink_(sink), twin_(scene.objects.size(), false) {
+        for (const ObjectDescription& object : scene.objects) {
+            transmits_.push_back(needs_of(scene.materials[object.material]).transmits);
+            sheet_.push_back(is_sheet(scene, object));
+        }
+    }
 
     void insides() {
         for (const Place& place : places_) {
@@ -73,7 +78,7 @@ class BodyCheck {
             }
             const auto absorption = std::visit([](const auto& m) { return absorption_of(m); },
                                                material_of(place.object).model);
-            if (is_sheet(scene_, object)) {
+            if (sheet_[place.object]) {
                 warn_of_sheet(place.object);
             } else if (absorption) {
                 warn_of_absorption(place, *absorption);
@@ -120,9 +125,7 @@ class BodyCheck {
     [[nodiscard]] const MaterialDescription& material_of(std::size_t object) const {
         return scene_.materials[scene_.objects[object].material];
     }
-    [[nodiscard]] bool transmits(std::size_t object) const {
-        return needs_of(material_of(object)).transmits;
-    }
+    [[nodiscard]] bool transmits(std::size_t object) const { return transmits_[object]; }
     [[nodiscard]] std::size_t instances_of(std::size_t object) const {
         return scene_.objects[object].placed.instances.size();
     }
@@ -196,8 +199,7 @@ class BodyCheck {
     /// Whether what is inside `hull` cannot be seen if it is `place`.
     [[nodiscard]] bool is_hiding(const Place& hull, const Place& place) const {
         if (!transmits(hull.object)) return !is_around_camera(hull);
-        if (!transmits(place.object) || is_sheet(scene_, scene_.objects[place.object]))
-            return false;
+        if (!transmits(place.object) || sheet_[place.object]) return false;
         const int own = scene_.objects[place.object].priority;
         const int other = scene_.objects[hull.object].priority;
         return other > own || (other == own && hull.object < place.object);
@@ -227,6 +229,7 @@ class BodyCheck {
     const SceneDescription& scene_;
     const std::vector<Place>& places_;
     WarningSink& sink_;
+    std::vector<bool> transmits_, sheet_;  ///< by object
     std::vector<bool> twin_;  ///< by object: it has been said that another stands in its place
 };
 

@@ -53,6 +53,19 @@ TEST(ProblemWriter, LeavesOutWhatIsNotThere) {
     EXPECT_EQ(method["type"], "/docs/problems#method-not-allowed");
 }
 
+TEST(WarningWriter, CountsWhatItDoesNotList) {
+    Warnings warnings;
+    for (int i = 0; i < 25; ++i) warnings.add({"/a", "mesh-open", "open", "close it"});
+    const Json json = Json::parse(warnings_json(warnings));
+    ASSERT_EQ(json.size(), Warnings::kMostOfOneCode + 1);
+    EXPECT_EQ(json[0], Json({{"pointer", "/a"},
+                             {"code", "mesh-open"},
+                             {"detail", "open"},
+                             {"advice", "close it"}}));
+    EXPECT_EQ(json.back()["code"], "more-warnings");
+    EXPECT_EQ(json.back()["detail"], "more than are listed: 5 of mesh-open");
+}
+
 TEST(ProblemWriter, PrefersTheErrorsOwnCode) {
     EXPECT_EQ(code_of(Error{ErrorKind::Conflict, "", {}, "job-not-finished"}), "job-not-finished");
     EXPECT_EQ(code_of(Error{ErrorKind::Conflict, "", {}, ""}), "conflict");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -111,6 +112,21 @@ TEST(PrintError, NamesEveryProblem) {
               "(document): no scene\n"
               "/b: is missing (found nothing, allowed a number)\n");
     EXPECT_EQ(print_error(out, {ErrorKind::Internal, "disk full", {}, {}}), kExitFailed);
+}
+
+TEST(PrintWarnings, ListsSomeOfEachCodeAndCountsTheOthers) {
+    Warnings warnings;
+    for (int i = 0; i < 1000; ++i)
+        warnings.add({"/materials/m", "unused-material", "unused", "remove it"});
+    warnings.add({"", "body-lost", "lost", "close it"});
+    std::ostringstream out;
+    print_warnings(out, warnings);
+    const std::string text = out.str();
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), Warnings::kMostOfOneCode + 2);
+    EXPECT_NE(text.find("warning: /materials/m: unused; remove it [unused-material]\n"),
+              std::string::npos);
+    EXPECT_NE(text.find("warning: lost; close it [body-lost]\n"), std::string::npos);
+    EXPECT_NE(text.find("980 of unused-material"), std::string::npos);
 }
 
 }  // namespace

@@ -84,6 +84,30 @@ TEST_F(JobManagerTest, ReadsTheFilesOfAJobOnce) {
     EXPECT_EQ(times_opened(jobs_, results_, {.threads = 1, .accepted_bytes = 0}), 4);
 }
 
+// The good scene with a lamp that gives nothing: said by the check, by the submission, its answer
+// and by the report, with what the picture shows behind it.
+TEST_F(JobManagerTest, TellsWarningsEverywhere) {
+    const auto manager = start();
+    std::string body = small_job(1);
+    const std::string lights = R"("lights":[)";
+    body.insert(body.find(lights) + lights.size(),
+                R"({"type":"point","position":[0,5,0],"intensity":0},)");
+    const std::string code = R"("code":"lamp-without-light")",
+                      at = R"("pointer":"/scene/lights/0")";
+    const auto said = [&](const std::string& text) {
+        return text.find(code) != std::string::npos && text.find(at) != std::string::npos;
+    };
+    EXPECT_TRUE(said(manager->validate(body).value()));
+    const auto submitted = manager->submit(body, "");
+    ASSERT_TRUE(submitted) << submitted.error().message;
+    EXPECT_TRUE(said(submitted_job_json(*submitted)));
+    wait_for_end(*manager, submitted->view.job.id);
+    const auto report = manager->file(submitted->view.job.id, "report.json");
+    ASSERT_TRUE(report);
+    EXPECT_TRUE(said(report->content.all().value()));
+    EXPECT_FALSE(said(manager->validate(small_job(1)).value()));
+}
+
 TEST_F(JobManagerTest, RendersWhatIsSubmitted) {
     const auto manager = start();
     const auto submitted = manager->submit(small_job(4, R"(,"labels":{"a":"b"})"), "");
