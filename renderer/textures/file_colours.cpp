@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
+
+#include "renderer/textures/channel_tables.h"
 
 namespace bouguer::renderer {
 namespace {
@@ -87,20 +90,66 @@ class Keeper {
     std::vector<float> floats_;
 };
 
+/// The pixels of a picture, of which grey has three times the same number.
 template <class T>
-Result<void> convert(const TextureImage& from, const std::vector<T>& samples,
-                     const ToRec709& to_light, TextureImage& to) {
-    constexpr float kOne = std::is_integral_v<T> ? std::numeric_limits<T>::max() : 1;
-    const auto channels = static_cast<std::size_t>(from.channels);
-    const std::size_t pixels = samples.size() / channels;
-    Keeper keeper(to, std::is_integral_v<T>);
-    std::vector<float> run;
-    for (std::size_t begin = 0; begin < pixels; begin += kRun) {
-        run.clear();
-        for (std::size_t i = begin; i < std::min(begin + kRun, pixels); ++i)
+class Pixels {
+  public:
+    Pixels(const TextureImage& image, const std::vector<T>& samples)
+        : samples_(samples), channels_(static_cast<std::size_t>(image.channels)) {}
+    [[nodiscard]] std::size_t size() const { return samples_.size() / channels_; }
+    [[nodiscard]] bool is_grey() const { return channels_ == 1; }
+    [[nodiscard]] T number(std::size_t pixel, std::size_t k) const {
+        return samples_[pixel * channels_ + k % channels_];
+    }
+
+  private:
+    const std::vector<T>& samples_;
+    std::size_t channels_;
+};
+
+/// Makes light of `count` pixels from `begin` on.
+using MakeRun = std::function<void(std::size_t begin, std::size_t count, std::vector<float>& run)>;
+
+template <class T>
+MakeRun one_by_one(const Pixels<T>& pixels, const ToRec709& to_light) {
+    return [&](std::size_t begin, std::size_t count, std::vector<float>& run) {
+        constexpr float kOne = std::is_integral_v<T> ? std::numeric_limits<T>::max() : 1;
+        for (std::size_t i = begin; i < begin + count; ++i)
             for (std::size_t k = 0; k < 3; ++k)
-                run.push_back(static_cast<float>(samples[i * channels + k % channels]) / kOne);
+                run.push_back(static_cast<float>(pixels.number(i, k)) / kOne);
         to_light(run);
+    };
+}
+
+/// By tables, where the picture is larger than they are and there are any.
+template <class T>
+MakeRun fastest(const Pixels<T>& pixels, const ToRec709& to_light) {
+    if constexpr (std::is_integral_v<T>) {
+        constexpr std::size_t kLast = std::numeric_limits<T>::max();
+        if (pixels.size() > 4 * kLast) {
+            if (auto tables = ChannelTables::make(to_light, kLast, pixels.is_grey())) {
+                return [&pixels, tables = *std::move(tables)](std::size_t begin, std::size_t count,
+                                                              std::vector<float>& run) {
+                    for (std::size_t i = begin; i < begin + count; ++i) {
+                        const auto light =
+                            tables({pixels.number(i, 0), pixels.number(i, 1), pixels.number(i, 2)});
+                        run.insert(run.end(), light.begin(), light.end());
+                    }
+                };
+            }
+        }
+    }
+    return one_by_one(pixels, to_light);
+}
+
+template <class T>
+Result<void> convert(const Pixels<T>& pixels, const ToRec709& to_light, TextureImage& to) {
+    Keeper keeper(to, std::is_integral_v<T>);
+    const MakeRun make_run = fastest(pixels, to_light);
+    std::vector<float> run;
+    for (std::size_t begin = 0; begin < pixels.size(); begin += kRun) {
+        run.clear();
+        make_run(begin, std::min(kRun, pixels.size() - begin), run);
         if (auto good = keeper.add(run); !good) return good;
     }
     keeper.finish();
@@ -125,9 +174,9 @@ Result<TextureImagePtr> in_file_colours(TextureImagePtr image) {
     light->height = image->height;
     light->channels = image->channels;
     light->encoding = ColourEncoding::Linear;
-    const auto converted =
-        std::visit([&](const auto& samples) { return convert(*image, samples, *to_light, *light); },
-                   image->samples);
+    const auto converted = std::visit(
+        [&](const auto& samples) { return convert(Pixels(*image, samples), *to_light, *light); },
+        image->samples);
     if (!converted) return tl::unexpected(converted.error());
     return light;
 }

@@ -5,8 +5,10 @@
 
 #include <cmath>
 
+#include "renderer/film/image_file.h"
 #include "renderer/render.h"
 #include "renderer/spectrum/display.h"
+#include "renderer/textures/channel_tables.h"
 #include "tests/support/png_writer.h"
 
 namespace bouguer::renderer {
@@ -76,6 +78,43 @@ TEST(FileColours, RefusesWhatIsNot) {
                   std::string::npos)
             << image.error().message;
     }
+}
+
+// A picture that is large enough to be taken by tables says the same, pixel by pixel.
+TEST(FileColours, MakesTheSameOfLargePictures) {
+    std::vector<std::uint16_t> numbers;
+    for (std::uint16_t i = 0; i < 2000; ++i)
+        for (const int k : {0, 1, 2})
+            numbers.push_back(static_cast<std::uint16_t>(90 + i * (k + 3) % 60));
+    const auto of = [&](std::size_t first, int count) {
+        const auto from = numbers.begin() + static_cast<std::ptrdiff_t>(3 * first);
+        return with_png_chunk(png_of(count, 1, 3, 8, {from, from + 3 * count}), "cICP", kP3);
+    };
+    const auto read_large = read_texture_image(of(0, 2000), 2000).and_then(&in_file_colours);
+    ASSERT_TRUE(read_large) << read_large.error().message;
+    const auto& large = std::get<std::vector<float>>((*read_large)->samples);
+    for (std::size_t i = 0; i < 2000; i += 100) {
+        const auto alone = light_of(of(i, 2));
+        ASSERT_EQ(alone.size(), 6U);
+        for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(large[3 * i + k], alone[k], 2e-5) << i;
+    }
+}
+
+TEST(ChannelTables, AreThereWhereChannelsAddUp) {
+    const PictureColour p3{{}, listed(find_display("display-p3")->chromaticities), {}};
+    const auto to_light = linear_rec709(p3, ColourEncoding::Srgb, false);
+    const auto tables = ChannelTables::make(*to_light, 255, false);
+    ASSERT_TRUE(tables);
+    std::array pixel{200 / 255.0F, 100 / 255.0F, 50 / 255.0F};
+    (*to_light)(pixel);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR((*tables)({200, 100, 50})[k], pixel[k], 1e-6);
+    const ToRec709 product = [](std::span<float> p) {
+        for (std::size_t i = 0; i < p.size(); i += 3) p[i] *= p[i + 1];
+    };
+    EXPECT_FALSE(ChannelTables::make(product, 255, false));
+    const auto greys = ChannelTables::make(product, 255, true);
+    ASSERT_TRUE(greys);
+    EXPECT_NEAR((*greys)({51, 51, 51})[0], 0.04, 1e-6);
 }
 
 // Linear, brighter than 1; a colour within Rec.709 comes back as it was.
