@@ -157,7 +157,7 @@ class BodyCheck {
             least = std::min(least, absorption.transmittance->at(nm));
             most = std::max(most, absorption.transmittance->at(nm));
         }
-        const Real thin = thickness_of(scene_.objects[place.object], place);
+        const Real thin = thickness_of(place);
         if (const Real depth = -std::log(most) * thin / absorption.thickness; depth > kNothing) {
             sink_.warn(WarningSink::object(place.object), "absorbs-everything",
                        "already after " + number_text(thin) +
@@ -174,6 +174,19 @@ class BodyCheck {
                            number_text(depth),
                        "see that the thickness of the absorption is in the scene's units");
         }
+    }
+
+    /// A length, scene units, that the body is not thinner than: half the shortest axis of a convex
+    /// one, the wall of a closed mesh. 0 where it cannot be told.
+    [[nodiscard]] Real thickness_of(const Place& place) {
+        if (place.shape) return place.shape->thinnest();
+        const ObjectDescription& object = scene_.objects[place.object];
+        const renderer::TriangleMesh* mesh = mesh_of(object);
+        if (mesh == nullptr || !mesh->topology || !mesh->topology->is_closed) return 0;
+        const auto [wall, is_new] = walls_.try_emplace(mesh, 0);
+        if (is_new) wall->second = wall_of(*mesh);
+        const Real volume = object.placed.instances[place.instance].determinant();
+        return std::cbrt(std::abs(volume)) * wall->second;
     }
 
     void warn_of_twin(const Place& place, std::size_t other) {
@@ -229,6 +242,7 @@ class BodyCheck {
     const SceneDescription& scene_;
     const std::vector<Place>& places_;
     WarningSink& sink_;
+    std::map<const renderer::TriangleMesh*, Real> walls_;
     std::vector<bool> transmits_, sheet_;  ///< by object
     std::vector<bool> twin_;  ///< by object: it has been said that another stands in its place
 };

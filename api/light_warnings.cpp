@@ -141,7 +141,8 @@ void warn_of_exposure(const SceneDescription& scene, const renderer::OutputSetti
     constexpr double kStops = 10;
     if (!output.exposure || anything_shines(scene) || is_dark(scene)) return;
     const double stops = std::log2(white_luminance(scene) * *output.exposure);
-    if (!(std::abs(stops) > kStops)) return;
+    // A lamp in the very place where the camera looks tells nothing.
+    if (!std::isfinite(stops) || std::abs(stops) <= kStops) return;
     sink.warn(scene.lights.empty() ? "/environment" : "/lights",
               stops > 0 ? "lamps-too-bright" : "lamps-too-dark",
               "a white surface where the camera looks is " +

@@ -79,20 +79,6 @@ std::vector<Vec3> hull_of(const renderer::Shape& shape) {
     return points;
 }
 
-/// Twice the volume over the surface.
-Real wall_of(const TriangleMesh& mesh) {
-    if (mesh.positions.empty()) return 0;
-    const Vec3 origin = mesh.positions.front();
-    Real volume = 0, area = 0;
-    for (const auto& [i, j, k] : mesh.triangles) {
-        const Vec3 a = mesh.positions[i] - origin, b = mesh.positions[j] - origin,
-                   c = mesh.positions[k] - origin;
-        volume += dot(a, cross(b, c)) / 6;
-        area += length(cross(b - a, c - a)) / 2;
-    }
-    return area > 0 ? 2 * std::abs(volume) / area : 0;
-}
-
 }  // namespace
 
 const TriangleMesh* mesh_of(const ObjectDescription& object) {
@@ -142,12 +128,17 @@ bool is_around(const Place& place, const ObjectDescription& object, const Place&
     return std::all_of(hull.begin(), hull.end(), [&](Vec3 p) { return holds(to_world.point(p)); });
 }
 
-Real thickness_of(const ObjectDescription& object, const Place& place) {
-    if (place.shape) return place.shape->thinnest();
-    const TriangleMesh* mesh = mesh_of(object);
-    if (mesh == nullptr || !mesh->topology || !mesh->topology->is_closed) return 0;
-    const Real scale = std::cbrt(std::abs(object.placed.instances[place.instance].determinant()));
-    return scale * wall_of(*mesh);
+Real wall_of(const TriangleMesh& mesh) {
+    if (mesh.positions.empty()) return 0;
+    const Vec3 origin = mesh.positions.front();
+    Real volume = 0, area = 0;
+    for (const auto& [i, j, k] : mesh.triangles) {
+        const Vec3 a = mesh.positions[i] - origin, b = mesh.positions[j] - origin,
+                   c = mesh.positions[k] - origin;
+        volume += dot(a, cross(b, c)) / 6;
+        area += length(cross(b - a, c - a)) / 2;
+    }
+    return area > 0 ? 2 * std::abs(volume) / area : 0;
 }
 
 bool is_sheet(const SceneDescription& scene, const ObjectDescription& object) {

@@ -30,11 +30,9 @@ struct Place {
 [[nodiscard]] bool is_around(const Place& place, const renderer::ObjectDescription& object,
                              const Place& other);
 
-/// A length, scene units, that the body is not thinner than: half the shortest axis of a convex
-/// one, and twice the volume over the surface of a closed mesh, which of a shell is its wall. 0
-/// where it cannot be told.
-[[nodiscard]] renderer::Real thickness_of(const renderer::ObjectDescription& object,
-                                          const Place& place);
+/// Twice the volume over the surface of a closed mesh, in its own units: of a shell about its wall.
+/// O(n) in triangles.
+[[nodiscard]] renderer::Real wall_of(const renderer::TriangleMesh& mesh);
 
 /// The mesh of an object; null for other shapes.
 [[nodiscard]] const renderer::TriangleMesh* mesh_of(const renderer::ObjectDescription& object);

@@ -27,6 +27,9 @@ TEST(LightWarnings, NameLampsTenStopsOff) {
     EXPECT_EQ(warned(job), Texts{"/scene/lights lamps-too-bright"});
     job["output"]["exposure"] = 1e-6;
     EXPECT_EQ(warned(job), Texts{"/scene/lights lamps-too-dark"});
+    job["scene"]["camera"]["at"] = {0, 2, 0};
+    EXPECT_EQ(warned(job), Texts{}) << "it looks at the lamp itself";
+    job["scene"]["camera"]["at"] = {0, 0, 0};
     job["scene"]["environment"] = {{"type", "constant"}, {"radiance", 1e6}};
     EXPECT_EQ(warned(job), Texts{}) << "the sky counts, too";
     job["scene"].erase("lights");
