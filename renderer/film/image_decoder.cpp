@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "renderer/film/exif.h"
+#include "renderer/film/exr_chunks.h"
 #include "renderer/film/image_header.h"
 #include "renderer/film/image_library.h"
 #include "renderer/film/jpeg_decoder.h"
@@ -145,6 +146,8 @@ Result<DecodedImage> decode_by_library(std::string_view bytes, const ImageHeader
 }
 
 Result<DecodedImage> decode_exr(std::string_view bytes, const ImageHeader& header) {
+    if (auto whole = check_exr_chunks(bytes); !whole)
+        return tl::unexpected(std::move(whole).error());
     return decode_by_library(bytes, header, "picture.exr");
 }
 

@@ -175,15 +175,16 @@ Refusal check_channels(const std::vector<ExrChannel>& channels) {
     return "the image's channels are " + names + "; they must be Y or R, G, B, with or without A";
 }
 
-Refusal take_channels(Cursor value, ImageHeader& header) {
+Refusal take_channels(Cursor value, std::uint64_t size, ImageHeader& header) {
+    const std::uint64_t left = value.left();
     const auto channels = read_channels(value);
-    if (value.failed() || header.channels > 0) return kDamaged;
+    if (value.failed() || header.channels > 0 || left - value.left() != size) return kDamaged;
     header.channels = static_cast<int>(channels.size());
     return check_channels(channels);
 }
 
 /// x and y of the first and of the last pixel.
-Refusal take_window(Cursor value, ImageHeader& header) {
+Refusal take_window(Cursor value, std::uint64_t /*size*/, ImageHeader& header) {
     std::array<std::int64_t, 4> box{};
     for (std::int64_t& side : box) side = static_cast<std::int32_t>(value.little_endian());
     if (value.failed() || box[2] < box[0] || box[3] < box[1] || header.width > 0) return kDamaged;
@@ -193,7 +194,7 @@ Refusal take_window(Cursor value, ImageHeader& header) {
 }
 
 /// The library takes memory for a whole tile, however small the picture is.
-Refusal take_tiles(Cursor value, ImageHeader& /*header*/) {
+Refusal take_tiles(Cursor value, std::uint64_t /*size*/, ImageHeader& /*header*/) {
     constexpr std::uint64_t kMostPixels = 1U << 22U;
     const std::uint64_t across = value.little_endian(), down = value.little_endian();
     if (value.failed() || across * down > kMostPixels) return "the image's tiles are too large";
@@ -201,12 +202,56 @@ Refusal take_tiles(Cursor value, ImageHeader& /*header*/) {
 }
 
 struct ExrAttribute {
-    std::string_view name;
-    Refusal (*take)(Cursor value, ImageHeader& header);
+    std::string_view name, type;
+    Refusal (*take)(Cursor value, std::uint64_t size, ImageHeader& header);
 };
-constexpr std::array kExrAttributes{ExrAttribute{"channels", &take_channels},
-                                    ExrAttribute{"dataWindow", &take_window},
-                                    ExrAttribute{"tiles", &take_tiles}};
+constexpr std::array kExrAttributes{ExrAttribute{"channels", "chlist", &take_channels},
+                                    ExrAttribute{"dataWindow", "box2i", &take_window},
+                                    ExrAttribute{"tiles", "tiledesc", &take_tiles}};
+
+/// Types of which the library reads so many bytes, whatever the file says of their size: what
+/// follows would then be another header than the one that is judged here.
+struct ExrType {
+    std::string_view name;
+    std::uint32_t size;
+};
+constexpr std::array kExrTypes{
+    ExrType{"box2f", 16},   ExrType{"box2i", 16},      ExrType{"chromaticities", 32},
+    ExrType{"double", 8},   ExrType{"compression", 1}, ExrType{"deepImageState", 1},
+    ExrType{"envmap", 1},   ExrType{"float", 4},       ExrType{"int", 4},
+    ExrType{"keycode", 28}, ExrType{"lineOrder", 1},   ExrType{"m33d", 72},
+    ExrType{"m33f", 36},    ExrType{"m44d", 128},      ExrType{"m44f", 64},
+    ExrType{"rational", 8}, ExrType{"tiledesc", 9},    ExrType{"timecode", 8},
+    ExrType{"v2d", 16},     ExrType{"v2f", 8},         ExrType{"v2i", 8},
+    ExrType{"v3d", 24},     ExrType{"v3f", 12},        ExrType{"v3i", 12},
+};
+/// Types that have counts inside, by which the library takes memory.
+constexpr std::array<std::string_view, 2> kCountedTypes{"preview", "stringvector"};
+
+/// A picture of `across` by `down` pixels of four bytes, or texts behind their sizes.
+bool is_counted_right(std::string_view type, Cursor value, std::uint64_t size) {
+    if (type == "preview") {
+        const std::uint64_t across = value.little_endian(), down = value.little_endian();
+        return across < kLargestSide && down < kLargestSide && size == 8 + 4 * across * down;
+    }
+    for (int i = 0; size > 0; ++i) {
+        const std::uint64_t text = value.little_endian();
+        if (value.failed() || i == kMostParts || size < 4 || text > size - 4) return false;
+        size -= 4 + text;
+        value.skip(text);
+    }
+    return true;
+}
+
+bool is_type_right(std::string_view type, const Cursor& value, std::uint64_t size) {
+    const auto fixed = std::find_if(kExrTypes.begin(), kExrTypes.end(),
+                                    [&](const ExrType& t) { return t.name == type; });
+    if (fixed != kExrTypes.end()) return fixed->size == size;
+    if (type == "idmanifest") return false;  // names of ids, packed: what it unfolds to is claimed
+    const bool is_counted =
+        std::find(kCountedTypes.begin(), kCountedTypes.end(), type) != kCountedTypes.end();
+    return !is_counted || is_counted_right(type, value, size);
+}
 
 /// All attributes: name, type, size, value. The library takes memory for sizes that are in none of
 /// its types, before it looks whether the file has so many bytes.
@@ -220,13 +265,15 @@ Refusal read_exr(Cursor& file, ImageHeader& header) {
     for (int i = 0; i < kMostParts && !file.failed(); ++i) {
         const std::string name = file.name();
         if (name.empty()) return header.width > 0 && header.channels > 0 ? Refusal() : kDamaged;
-        static_cast<void>(file.name());  // its type
+        const std::string type = file.name();
         const std::uint32_t size = file.little_endian();
-        if (size > file.left()) return kDamaged;
+        if (size > file.left() || !is_type_right(type, file, size)) return kDamaged;
         const auto known = std::find_if(kExrAttributes.begin(), kExrAttributes.end(),
                                         [&](const ExrAttribute& a) { return a.name == name; });
-        if (known != kExrAttributes.end())
-            if (Refusal refusal = known->take(file, header); !refusal.empty()) return refusal;
+        if (known != kExrAttributes.end()) {
+            if (type != known->type) return kDamaged;
+            if (Refusal refusal = known->take(file, size, header); !refusal.empty()) return refusal;
+        }
         file.skip(size);
     }
     return kDamaged;

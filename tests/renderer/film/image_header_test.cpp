@@ -131,6 +131,24 @@ TEST(ImageHeader, RefusesExrThatClaimsMemory) {
     };
     EXPECT_EQ(reason(exr_of({{"Y"}}, 0, note(4))), "it is read");
     EXPECT_EQ(reason(exr_of({{"Y"}}, 0, note(0x7fffffff))), kDamagedImageHeader);
+    // an int is read as four bytes, and what follows as if it followed those
+    const auto number = [](std::uint32_t size) {
+        return std::string("number\0int\0", 11) + little_endian(size) + "123456";
+    };
+    EXPECT_EQ(reason(exr_of({{"Y"}}, 0, number(4).substr(0, 19))), "it is read");
+    EXPECT_EQ(reason(exr_of({{"Y"}}, 0, number(6))), kDamagedImageHeader);
+    const auto texts = [](std::uint32_t claimed) {
+        return std::string("texts\0stringvector\0", 19) + little_endian(12) + little_endian(0) +
+               little_endian(claimed) + "1234";
+    };
+    EXPECT_EQ(reason(exr_of({{"Y"}}, 0, texts(4))), "it is read");
+    EXPECT_EQ(reason(exr_of({{"Y"}}, 0, texts(1U << 30U))), kDamagedImageHeader);
+    const auto preview = [](std::uint32_t side) {
+        return std::string("preview\0preview\0", 16) + little_endian(12) + little_endian(side) +
+               little_endian(side) + "rgba";
+    };
+    EXPECT_EQ(reason(exr_of({{"Y"}}, 0, preview(1))), "it is read");
+    EXPECT_EQ(reason(exr_of({{"Y"}}, 0, preview(20'000))), kDamagedImageHeader);
     const auto tiles = [](std::uint32_t side) {
         return std::string("tiles\0tiledesc\0", 15) + little_endian(9) + little_endian(side) +
                little_endian(side) + '\0';
