@@ -123,6 +123,8 @@ def submit(url, job):
     key = {"Idempotency-Key": str(uuid.uuid4())}
     answer = json.loads(call(f"{url}/v1/jobs", json.dumps(job).encode(), JSON | key))
     print("job", answer["id"])
+    for warning in answer["warnings"]:  # valid, and probably not meant
+        print(f"warning: {warning['pointer']}: {warning['detail']}; {warning['advice']}", file=sys.stderr)
     return f"{url}/v1/jobs/{answer['id']}"
 
 

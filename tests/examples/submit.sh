@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # submit.sh and submit.py render a scene over HTTP to equal pictures, and fail on a document that is refused;
-# submit.py uploads the files that a scene names.
+# submit.py uploads the files that a scene names and prints warnings.
 set -euo pipefail
 cd "$(dirname "$0")"
 bouguer=$1 examples=../../client-examples
@@ -27,6 +27,16 @@ if grep -q uploaded "$work/second.log"; then
     exit 1
 fi
 cmp "$work/first.png" "$work/second.png"
+
+# What is valid and probably not meant is said.
+python3 - "$examples/scenes/grey-card.json" >"$work/spare.json" <<'END'
+import json, sys
+scene = json.load(open(sys.argv[1]))
+scene["materials"]["spare"] = {"type": "hall", "k_sr": 0.5}
+print(json.dumps(scene))
+END
+"$examples/submit.py" --url "$url" --samples 1 --out "$work/spare" "$work/spare.json" 2>"$work/spare.log"
+grep -q 'warning: /scene/materials/spare: ' "$work/spare.log"
 
 printf '{"format":"bouguer-scene/1","camera":{"type":"perspective","fov_deg":400}}' >"$work/bad.json"
 if BOUGUER_URL=$url "$examples/submit.sh" "$work/bad.json" "$work/bad" 2>"$work/refusal"; then
