@@ -17,10 +17,16 @@ namespace {
 
 constexpr std::size_t kMostBytes = 64U << 20U;
 
+/// What the library has taken in one context.
+struct Memory {
+    std::size_t used = 0;
+    bool is_refused = false;  ///< it has once wanted more than there is
+};
+
 /// What stands before every piece of memory that the library is given.
 struct alignas(std::max_align_t) Piece {
     std::size_t size = 0;
-    std::size_t* used = nullptr;  ///< by all pieces of the context; null for the context itself
+    Memory* memory = nullptr;  ///< that it is part of; null for the context itself
 };
 
 Piece* piece_of(void* memory) { return static_cast<Piece*>(memory) - 1; }
@@ -28,17 +34,20 @@ Piece* piece_of(void* memory) { return static_cast<Piece*>(memory) - 1; }
 void give_back(cmsContext /*context*/, void* memory) {
     if (memory == nullptr) return;
     Piece* piece = piece_of(memory);
-    if (piece->used != nullptr) *piece->used -= piece->size;
+    if (piece->memory != nullptr) piece->memory->used -= piece->size;
     std::free(piece);
 }
 
 void* take(cmsContext context, cmsUInt32Number size) {
-    auto* used = static_cast<std::size_t*>(cmsGetContextUserData(context));
-    if (used != nullptr && size > kMostBytes - *used) return nullptr;
-    void* memory = std::malloc(sizeof(Piece) + size);
-    if (memory == nullptr) return nullptr;
-    auto* piece = ::new (memory) Piece{size, used};
-    if (used != nullptr) *used += size;
+    auto* memory = static_cast<Memory*>(cmsGetContextUserData(context));
+    if (memory != nullptr && size > kMostBytes - memory->used) {
+        memory->is_refused = true;
+        return nullptr;
+    }
+    void* place = std::malloc(sizeof(Piece) + size);
+    if (place == nullptr) return nullptr;
+    auto* piece = ::new (place) Piece{size, memory};
+    if (memory != nullptr) memory->used += size;
     return piece + 1;
 }
 
@@ -105,14 +114,14 @@ tl::unexpected<Error> refuse(const std::string& reason) {
 }  // namespace
 
 struct IccTransform::State {
-    std::size_t used_bytes = 0;
+    Memory memory;
     cmsContext context = nullptr;
     cmsHTRANSFORM transform = nullptr;
     int channels = 0;
 
     State() {
         auto handler = memory_handler();
-        context = cmsCreateContext(&handler, &used_bytes);
+        context = cmsCreateContext(&handler, &memory);
     }
     ~State() {
         if (transform != nullptr) cmsDeleteTransform(transform);
@@ -148,7 +157,8 @@ Result<IccTransform> IccTransform::to_linear_rec709(std::span<const std::uint8_t
         state->transform = cmsCreateTransformTHR(
             state->context, from.get(), is_grey ? TYPE_GRAY_FLT : TYPE_RGB_FLT, to.get(),
             TYPE_RGB_FLT, INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOOPTIMIZE | cmsFLAGS_NOCACHE);
-    if (state->transform == nullptr) return refuse("describes no colours, or is too large");
+    if (state->memory.is_refused) return refuse("wants more than 64 MiB of memory");
+    if (state->transform == nullptr) return refuse("describes no colours");
     return IccTransform(std::move(state));
 }
 

@@ -160,7 +160,7 @@ TEST(IccTransform, RefusesTablesThatAreTooLarge) {
         return at[field] << 24 | at[field + 1] << 16 | at[field + 2] << 8 | at[field + 3];
     };
     for (int k = 0; k < 3; ++k) at[offset(24) + k] = 255;  // points along each axis
-    expect_refusal(profile, "too large");
+    expect_refusal(profile, "64 MiB");
 }
 
 }  // namespace
