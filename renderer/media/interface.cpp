@@ -25,6 +25,12 @@ Real resolution_along(const RayStart& start, Vec3 d) {
     return start.resolution / std::max(std::abs(dot(start.ng, d)), kLeastCosine);
 }
 
+/// How far along `d` to look for what lies about a start: also, at grazing incidence, for facets
+/// that go on where the start's own ends.
+Real reach_from(const RayStart& start, Vec3 d) {
+    return std::max(reach_along(start.ng, d, start.reach), resolution_along(start, d));
+}
+
 bool is_entering(const Hit& hit, Vec3 d) { return dot(hit.ng, d) < 0; }
 
 /// Whether two faces, in the order along `d`, are the two sides of a blunt edge that is grazed.
@@ -113,7 +119,7 @@ bool InterfaceFinder::find_place(const RayStart& start, Vec3 d, Real t_max,
     if (start.is_on_surface && start.is_crowded) {
         if (find_nearby(start, d, t_max, media, found)) return true;
         // What comes next is nowhere near: half of the way that has been looked through.
-        from = reach_along(start.ng, d, start.reach);
+        from = reach_from(start, d);
     } else if (start.is_on_surface) {
         line.o = start.origin(d);
     }
@@ -135,7 +141,7 @@ bool InterfaceFinder::find_place(const RayStart& start, Vec3 d, Real t_max,
 /// Looks for what is within reach of the start.
 bool InterfaceFinder::find_nearby(const RayStart& start, Vec3 d, Real t_max,
                                   const MediumStack& media, Interface& found) {
-    const Real reach = reach_along(start.ng, d, start.reach);
+    const Real reach = reach_from(start, d);
     ++queries_;
     geometry_.crossings({start.p, d}, -reach, 2 * reach, place_);
     std::erase_if(place_, [&](const Hit& hit) {

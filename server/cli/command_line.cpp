@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "api/limits.h"
 #include "renderer/integrators/integrator_registry.h"
 #include "renderer/spectrum/observer.h"
 #include "server/cli/document.h"
@@ -71,7 +72,7 @@ void add_overrides(CLI::App& app, Overrides& o) {
         ->check(CLI::IsMember(std::vector<std::string>(observers.begin(), observers.end())))
         ->group(kGroup);
     app.add_option("--max-depth", o.max_depth, "reflections and refractions in a row")
-        ->check(CLI::Range(0, 64))
+        ->check(CLI::Range(0, api::Limits{}.max_depth))
         ->group(kGroup);
 }
 
