@@ -126,6 +126,20 @@ std::pair<Vec3, Vec3> on_surface(UnitShape kind, std::uint8_t part, Vec3 q) {
     return {q, q};
 }
 
+/// Whether an edge is near `q`, which lies on the given part of the surface.
+bool is_at_edge(UnitShape kind, std::uint8_t part, Vec3 q) {
+    constexpr Real kNear = 1e-5;
+    if (kind == UnitShape::Box) {
+        const Real x = part == 0 ? 0 : std::abs(q.x);
+        const Real y = part == 1 ? 0 : std::abs(q.y);
+        const Real z = part == 2 ? 0 : std::abs(q.z);
+        return std::max({x, y, z}) >= 1 - kNear;
+    }
+    if (kind != UnitShape::Cylinder) return false;
+    if (part == 1) return q.x * q.x + q.y * q.y >= 1 - kNear;
+    return q.z <= kNear || q.z >= 1 - kNear;
+}
+
 Vec3 column(const Transform& m, int i) { return {m.a[0][i], m.a[1][i], m.a[2][i]}; }
 
 /// A unit shape that is scaled, turned and moved, and the way back. Both are put together from
@@ -288,6 +302,7 @@ void AnalyticShape::complete(const Ray& ray, AnalyticHit at, Hit& hit) const {
     hit.ns = hit.ng;
     hit.error = resolution_at(max_abs(hit.p));
     hit.resolution = hit.error;
+    hit.is_at_edge = is_at_edge(kind_, at.part, q);
     hit.primitive = at.part;
 }
 

@@ -37,6 +37,7 @@ void complete(const PlanePart& plane, const Ray& ray, Real t, Hit& hit) {
     hit.ng = hit.ns = plane.n;
     hit.error = plane.placing + 0x1p-41 * (max_abs(hit.p) + std::abs(plane.offset));
     hit.resolution = hit.error;
+    hit.is_at_edge = false;
     hit.primitive = 0;
 }
 

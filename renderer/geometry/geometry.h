@@ -34,6 +34,8 @@ struct Hit {
     std::uint32_t part = 0;       ///< which of Geometry's parts; for surface_uv()
     std::uint32_t primitive = 0;  ///< which primitive of the part; for surface_uv()
     float u = 0, v = 0;           ///< barycentric coordinates in a triangle; for surface_uv()
+    /// Whether an edge of the triangle is so near that rounding decides which side of it is met.
+    bool is_at_edge = false;
     /// Whether the query knows that nothing else lies within reach of p along the ray.
     bool is_alone = false;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/geometry/mesh_part.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -25,6 +26,13 @@ Real condition(const Transform& m, const Transform& inverse) {
         worst = std::max(worst, length(column) * length(inverse.a[static_cast<std::size_t>(i)]));
     }
     return worst;
+}
+
+/// Of a triangle that is met edge-on, single precision may say anything, numbers or not.
+TriangleHit inside(TriangleHit at) {
+    at.u = at.u > 0 ? std::min(at.u, 1.0F) : 0;
+    at.v = at.v > 0 ? std::min(at.v, 1 - at.u) : 0;
+    return at;
 }
 
 TrianglePlane plane_of(Vec3 a, Vec3 b, Vec3 c) {
@@ -126,7 +134,9 @@ Vec3 MeshPart::point_in(const TriangleHit& at) const {
                            static_cast<Real>(at.v) * (mesh_->positions[corners[2]] - a));
 }
 
-void MeshPart::refine(const Ray& ray, const TriangleHit& at, Hit& hit) const {
+void MeshPart::refine(const Ray& ray, const TriangleHit& found, Hit& hit) const {
+    constexpr Real kEdge = 4;  // errors
+    const TriangleHit at = inside(found);
     const TrianglePlane& plane = buffer_->planes[at.primitive];
     Real extent = static_cast<Real>(plane.extent);
     if (own_) {
@@ -136,14 +146,12 @@ void MeshPart::refine(const Ray& ray, const TriangleHit& at, Hit& hit) const {
         const Vec3 p = o + hit.t * d;
         hit.p = own_->from_buffer.point(p + (plane.offset - dot(plane.n, p)) * plane.n);
         hit.ng = normalize(own_->to_buffer.transposed(plane.n));
-        hit.error = kRounding * own_->size * (kBufferReach + extent);
         extent *= own_->size;
     } else {
         hit.t = (plane.offset - dot(plane.n, ray.o)) / dot(plane.n, ray.d);
         const Vec3 p = ray.at(hit.t);
         hit.p = p + (plane.offset - dot(plane.n, p)) * plane.n;
         hit.ng = plane.n;
-        hit.error = kRounding * (max_abs(hit.p) + extent);
     }
     // Nearly in the triangle's plane the quotient means little; the place in the triangle still
     // does.
@@ -153,9 +161,12 @@ void MeshPart::refine(const Ray& ray, const TriangleHit& at, Hit& hit) const {
     }
     hit.ns = hit.ng;
     hit.resolution = resolution_;
-    hit.error = std::max(hit.error, resolution_);
+    const Real size = own_ ? own_->size * kBufferReach : max_abs(hit.p);
+    hit.error = std::max(kRounding * (size + extent), resolution_);
     hit.u = at.u;
     hit.v = at.v;
+    const float to_edge = std::min({at.u, at.v, 1 - at.u - at.v});
+    hit.is_at_edge = static_cast<Real>(to_edge) * extent <= kEdge * hit.error;
     hit.primitive = at.primitive;
     hit.is_alone = false;
 }

@@ -60,7 +60,7 @@ class MeshPart {
 
     /// Meets the plane of the triangle in double. Fills t, p, ng, error, resolution, u, v and
     /// primitive of `hit`; the triangle may turn out to lie behind the ray's origin, t <= 0.
-    void refine(const Ray& ray, const TriangleHit& at, Hit& hit) const;
+    void refine(const Ray& ray, const TriangleHit& found, Hit& hit) const;
     /// Fills ns from the mesh's normals.
     void shade(Hit& hit) const;
     [[nodiscard]] Vec2 uv(const Hit& hit) const;

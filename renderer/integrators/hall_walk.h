@@ -110,8 +110,12 @@ class HallWalk {
         if (!find(ray.start, ray.d, kInfinity, path.media, at.face)) return leave_scene(ray);
         describe(ray.d, at);
         if constexpr (Transparency) {
-            absorb(path.media, at.face.hit.t, *carried_);
-            if (at.face.matter == Matter::Opaque) note_end(path.media, at.face.hit);
+            if (at.face.matter == Matter::Opaque) {
+                absorb_to_end(path.media, {ray.start.p, ray.d}, at.face.hit.t, *carried_,
+                              ends_at(at.face.hit));
+            } else {
+                absorb(path.media, at.face.hit.t, *carried_);
+            }
         }
         if (at.surface->emission)
             add(1, colours_at(at).row(*at.surface->emission, SurfaceColours::kFirst));
@@ -123,10 +127,8 @@ class HallWalk {
 
     void leave_scene(PendingRay& ray) {
         if constexpr (Transparency) {
-            for (const BodyId body : ray.path.media) {
-                if (!tables_.bodies.may_leave_along(body, ray.d)) lose(body);
-            }
-            absorb(ray.path.media, kEndless, *carried_);
+            absorb_to_end(ray.path.media, {ray.start.p, ray.d}, kEndless, *carried_,
+                          [&](BodyId body) { return tables_.bodies.may_leave_along(body, ray.d); });
         }
         if (tables_.environment) add(1, tables_.row(*tables_.environment));
     }
@@ -167,23 +169,49 @@ class HallWalk {
 
     // ---- bodies that a ray lost track of ----
 
-    void lose(BodyId body) { ++counters_.lost_bodies[tables_.bodies.object_of(body)]; }
-
-    /// A ray ends at `hit`: bodies that do not reach there it has left without meeting them.
-    void note_end(const MediumStack& media, const Hit& hit) {
-        for (const BodyId body : media) {
-            if (!tables_.bodies.may_end_at(body, hit.p, scene_.geometry().reach(hit))) lose(body);
+    /// Equation 1 over the last segment of a ray: a body that `may_end` denies has been left
+    /// without meeting its surface. It is counted, and asked how far it reaches.
+    template <class MayEnd>
+    void absorb_to_end(MediumStack media, const Ray& ray, Real b, Throughput& throughput,
+                       const MayEnd& may_end) {
+        Real done = 0;
+        while (media.current() != MediumStack::kOutside) {
+            const BodyId body = media.current();
+            Real end = b;
+            if (!may_end(body)) {
+                lose(body);
+                end = std::min(tables_.bodies.way_inside(body, ray), b);
+            }
+            if (end > done) absorb(media, end - done, throughput);
+            done = std::max(done, end);
+            media.leave(body);
         }
     }
 
-    /// The same for a ray that gets to a lamp.
-    void note_end_at_lamp(const MediumStack& media, const Ray& ray, Real distance) {
+    void lose(BodyId body) { ++counters_.lost_bodies[tables_.bodies.object_of(body)]; }
+
+    /// A ray to a lamp ends at `hit`.
+    void note_end(const MediumStack& media, const Hit& hit) {
+        const auto may_end = ends_at(hit);
         for (const BodyId body : media) {
-            const bool may = distance == kInfinity ? tables_.bodies.may_leave_along(body, ray.d)
-                                                   : tables_.bodies.may_end_at(
-                                                         body, ray.at(distance), 1e-6 * distance);
-            if (!may) lose(body);
+            if (!may_end(body)) lose(body);
         }
+    }
+
+    /// Whether a ray in a body may end at `hit`.
+    auto ends_at(const Hit& hit) const {
+        return [this, &hit](BodyId body) {
+            return tables_.bodies.may_end_at(body, hit.p, scene_.geometry().reach(hit));
+        };
+    }
+
+    /// The same of a ray that gets to a lamp.
+    auto ends_at_lamp(const Ray& ray, Real distance) const {
+        return [this, ray, distance](BodyId body) {
+            return distance == kInfinity
+                       ? tables_.bodies.may_leave_along(body, ray.d)
+                       : tables_.bodies.may_end_at(body, ray.at(distance), 1e-6 * distance);
+        };
     }
 
     // ---- local terms ----
@@ -249,10 +277,18 @@ class HallWalk {
     bool arrives(const SurfacePoint& at, Vec3 wi, Real distance, bool behind,
                  const MediumStack& media, bool& is_tinted) {
         RayStart start = at.face.start(behind);
+        const Vec3 lamp = start.p + distance * wi;  // if it is not infinitely far
         if (at.face.matter == Matter::Opaque && !at.face.is_crowded) start_from_smooth(at, start);
         if constexpr (!Transparency) {
             ++counters_.rays;
-            return !scene_.geometry().occluded({start.origin(wi), wi}, distance);
+            const Vec3 o = start.origin(wi);
+            if (distance == kInfinity) return !scene_.geometry().occluded({o, wi}, distance);
+            const Real way = length(lamp - o);
+            return !scene_.geometry().occluded({o, (lamp - o) / way}, way);
+        }
+        if (start.p != at.face.hit.p && distance != kInfinity) {
+            distance = length(lamp - start.p);
+            wi = (lamp - start.p) / distance;
         }
         return light_passes(start, wi, distance, behind ? at.face.beyond : media, is_tinted);
     }
@@ -271,8 +307,8 @@ class HallWalk {
             if (!find(start, wi, distance, media, at.face)) {
                 if (media.current() == MediumStack::kOutside) return true;
                 begin_tint(is_tinted);
-                note_end_at_lamp(media, {start.p, wi}, distance);
-                absorb(media, std::min(distance, kEndless), scratch_.tint);
+                absorb_to_end(media, {start.p, wi}, std::min(distance, kEndless), scratch_.tint,
+                              ends_at_lamp({start.p, wi}, distance));
                 return true;
             }
             if (at.face.matter == Matter::Opaque) {

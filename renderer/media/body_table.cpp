@@ -104,6 +104,39 @@ bool BodyTable::may_end_at(BodyId body, Vec3 p, Real reach) const {
     return placed.is_closed && is_within(placed.bounds, p, reach);
 }
 
+bool BodyTable::may_hold(BodyId body, Vec3 p) const {
+    const PlacedBody& placed = bodies_[body];
+    return !placed.is_closed || geometry_.contains(placed.object, placed.instance, p);
+}
+
+bool BodyTable::may_touch(BodyId body, Vec3 p, Real reach) const {
+    const PlacedBody& placed = bodies_[body];
+    return is_within(placed.bounds, p, reach) &&
+           geometry_.touches(placed.object, placed.instance, p, reach);
+}
+
+Real BodyTable::way_inside(BodyId body, const Ray& ray) const {
+    constexpr int kHalvings = 24;
+    Real outside = way_in_bounds(body, ray);
+    if (!is_closed(body) || outside == std::numeric_limits<Real>::infinity()) return outside;
+    Real inside = 0;
+    for (int i = 0; i < kHalvings; ++i) {
+        const Real middle = (inside + outside) / 2;
+        (may_hold(body, ray.at(middle)) ? inside : outside) = middle;
+    }
+    return inside;
+}
+
+Real BodyTable::way_in_bounds(BodyId body, const Ray& ray) const {
+    const Bounds& box = bodies_[body].bounds;
+    Real way = std::numeric_limits<Real>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const Real d = ray.d[axis];
+        if (d != 0) way = std::min(way, ((d > 0 ? box.hi : box.lo)[axis] - ray.o[axis]) / d);
+    }
+    return std::max(way, Real{0});
+}
+
 bool BodyTable::may_leave_along(BodyId body, Vec3 d) const {
     const PlacedBody& placed = bodies_[body];
     if (!placed.is_half_space()) return false;

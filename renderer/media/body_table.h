@@ -57,6 +57,14 @@ class BodyTable {
     /// Whether a ray inside `body` may end at `p`, which rays see off by `reach`. False: it has
     /// left the body without meeting its surface; also when the body has no inside.
     [[nodiscard]] bool may_end_at(BodyId body, Vec3 p, Real reach) const;
+    [[nodiscard]] bool is_closed(BodyId body) const { return bodies_[body].is_closed; }
+    /// Whether `p` is inside `body`; yes of a body that has no inside to ask for.
+    [[nodiscard]] bool may_hold(BodyId body, Vec3 p) const;
+    /// Whether the surface of `body` may come within `reach` of `p`.
+    [[nodiscard]] bool may_touch(BodyId body, Vec3 p, Real reach) const;
+    /// How far a ray that starts inside `body` stays there, by asking for points of it; for rays
+    /// that did not meet the surface. Of a body without an inside: how far it stays in its bounds.
+    [[nodiscard]] Real way_inside(BodyId body, const Ray& ray) const;
     /// Whether a ray inside `body` may leave the scene along `d`: half-spaces have no end.
     [[nodiscard]] bool may_leave_along(BodyId body, Vec3 d) const;
 
@@ -76,6 +84,7 @@ class BodyTable {
         std::vector<Placed> neighbours;
     };
 
+    [[nodiscard]] Real way_in_bounds(BodyId body, const Ray& ray) const;
     void find_neighbours(std::span<const BodyDescription> objects);
 
     const Geometry& geometry_;

@@ -12,6 +12,15 @@ namespace {
 /// bodies of higher priority.
 constexpr int kMaxPlaces = 4096;
 
+/// How many times the reach of queries a point lies on one side of a surface for certain.
+constexpr Real kPast = 8;
+
+/// The point `way` along `d` from p, and a little aside, off the plane of walls that a ray runs in.
+Vec3 beside(Vec3 p, Real way, Vec3 d) {
+    constexpr Vec3 kAside{0.48e-3, 0.64e-3, 0.6e-3};
+    return p + way * d + std::abs(way) * kAside;
+}
+
 /// How far along `d` to look for what queries may confuse with a surface of unit normal `ng`. At
 /// grazing incidence more, but not without end.
 Real reach_along(Vec3 ng, Vec3 d, Real reach) {
@@ -36,7 +45,8 @@ bool is_entering(const Hit& hit, Vec3 d) { return dot(hit.ng, d) < 0; }
 /// Whether two faces, in the order along `d`, are the two sides of a blunt edge that is grazed.
 bool is_grazed(const Hit& first, const Hit& second, Vec3 d) {
     if (first.object != second.object || first.instance != second.instance) return false;
-    if (is_entering(first, d) == is_entering(second, d) || dot(first.ng, second.ng) <= 0)
+    constexpr Real kBlunt = 0.1;  // right angles are not, however they are rounded
+    if (is_entering(first, d) == is_entering(second, d) || dot(first.ng, second.ng) <= kBlunt)
         return false;
     const Real steepest = std::min(std::abs(dot(first.ng, d)), std::abs(dot(second.ng, d)));
     return (second.t - first.t) * steepest <= first.error + second.error;
@@ -52,9 +62,11 @@ bool is_same_plane(Vec3 n, Vec3 m) {
 bool InterfaceFinder::next(const RayStart& start, Vec3 d, Real t_max, MediumStack& media,
                            Interface& found, LostBodies& lost) {
     RayStart from = start;
+    start_ = start.p;
     Real way = 0;
     for (int i = 0; i < kMaxPlaces; ++i) {
         found.is_crowded = false;
+        found.asked = 0;
         if (!find_place(from, d, t_max - way, media, found)) return false;
         way += found.hit.t;
         const bool is_interface = found.is_crowded ? resolve_place(d, media, found, lost)
@@ -80,9 +92,20 @@ bool InterfaceFinder::resolve_alone(Vec3 d, MediumStack& media, Interface& found
         return true;
     }
     const BodyId body = bodies_.body_of(found.hit);
-    if (!found.entering && !media.holds(body)) add_missing(found.hit, media, lost);
+    // Where a ray only touches the edge of a body, one of the two sides may go unseen.
+    const Real step = kPast * found.reach;
+    if (found.hit.is_at_edge && !is_near_others_ && found.entering &&
+        !bodies_.may_hold(body, beside(found.hit.p, step, d)))
+        return false;
+    const bool is_asked = found.hit.is_at_edge && is_near_others_ && !found.entering;
+    if (!is_asked && !found.entering && !media.holds(body)) {
+        if (!is_missing(found.hit, d, found.reach, lost)) return false;
+        add_missing(found.hit, media, lost);
+    }
     found.beyond = media;
-    if (!found.entering) {
+    if (is_asked) {
+        found.beyond = ask(found, d, media);
+    } else if (!found.entering) {
         found.beyond.leave(body);
     } else if (!found.beyond.enter(body)) {
         ++overflows_;
@@ -98,7 +121,7 @@ bool InterfaceFinder::resolve_place(Vec3 d, MediumStack& media, Interface& found
     const Hit* opaque = opaque_in_place(d);
     const Hit* only = opaque != nullptr ? opaque : sheet_in_place();
     if (only == nullptr) {
-        add_all_missing(d, media, lost);
+        if (!is_edge()) add_all_missing(d, media, found.reach, lost);
         return find_boundary(d, media, found);
     }
     found.hit = *only;
@@ -115,22 +138,28 @@ bool InterfaceFinder::find_place(const RayStart& start, Vec3 d, Real t_max,
                                  const MediumStack& media, Interface& found) {
     // All questions are put along one line: at a silhouette two lines meet different surfaces.
     Ray line{start.p, d};
-    Real from = 0;
-    if (start.is_on_surface && start.is_crowded) {
+    Real from = start.skip;
+    if (start.is_on_surface && start.skip == 0 && start.is_crowded) {
         if (find_nearby(start, d, t_max, media, found)) return true;
         // What comes next is nowhere near: half of the way that has been looked through.
         from = reach_from(start, d);
-    } else if (start.is_on_surface) {
+    } else if (start.is_on_surface && start.skip == 0) {
         line.o = start.origin(d);
+        // A ray that has an end gets there also from beside its start.
+        if (std::isfinite(t_max)) line.d = normalize(start.p + t_max * d - line.o);
     }
     const Real shift = dot(line.o - start.p, d);
     for (int i = 0; i < kMaxPlaces; ++i) {
         ++queries_;
-        if (!geometry_.nearest({line.at(from), d}, t_max - shift - from, found.hit)) return false;
+        is_near_others_ = false;
+        if (!geometry_.nearest({line.at(from), line.d}, t_max - shift - from, found.hit))
+            return false;
         found.hit.t += shift + from;
+        found.reach = found.hit.error;
         if (found.hit.is_alone) return true;
         found.reach = geometry_.reach(found.hit);
-        if (!bodies_.is_near_others(found.hit, 4 * found.reach)) return true;
+        is_near_others_ = bodies_.is_near_others(found.hit, 4 * found.reach);
+        if (!is_near_others_) return true;
         const Real seen_to = look_around(start, line, t_max, media, found);
         if (seen_to == 0) return true;
         from = seen_to;
@@ -169,7 +198,8 @@ Real InterfaceFinder::look_around(const RayStart& start, const Ray& line, Real t
         start.is_on_surface ? reach_along(start.ng, d, std::max(start.reach, start.error)) : 0;
     std::erase_if(place_, [&](const Hit& hit) {
         if (hit.t >= t_max - resolution_along(hit, d)) return true;
-        return hit.t <= near && (!start.is_on_surface || is_left(start, d, media, hit));
+        return hit.t <= start.skip ||
+               (hit.t <= near && (!start.is_on_surface || is_left(start, d, media, hit)));
     });
     drop_grazed(d);
     if (place_.empty()) return middle + reach;
@@ -234,14 +264,15 @@ void InterfaceFinder::keep_first_place(Vec3 d, Interface& found) {
     found.is_crowded = true;
 }
 
-/// Whether number `index` of place_ comes out of a body that something before it goes into.
+/// Whether number `index` of place_ comes out of a body that something before it goes into; at an
+/// edge it is one place.
 bool InterfaceFinder::is_far_side(std::size_t index, Vec3 d) const {
     const Hit& hit = place_[index];
     if (is_entering(hit, d)) return false;
     return std::any_of(place_.begin(), place_.begin() + static_cast<std::ptrdiff_t>(index),
                        [&](const Hit& other) {
                            return other.object == hit.object && other.instance == hit.instance &&
-                                  is_entering(other, d);
+                                  is_entering(other, d) && is_same_plane(other.ng, hit.ng);
                        });
 }
 
@@ -268,13 +299,23 @@ const Hit* InterfaceFinder::sheet_in_place() const {
     return best;
 }
 
+/// Whether a body that the ray comes out of, at `hit`, was around it from its start on. It was not
+/// if the ray only touches its edge, or has gone into it unseen, which is counted.
+bool InterfaceFinder::is_missing(const Hit& hit, Vec3 d, Real reach, LostBodies& lost) const {
+    const BodyId body = bodies_.body_of(hit);
+    if (!bodies_.may_hold(body, beside(hit.p, -kPast * reach, d))) return false;
+    if (bodies_.may_hold(body, beside(start_, kPast * reach, d))) return true;
+    ++lost[hit.object];
+    return false;
+}
+
 /// A body that the ray comes out of without having gone into it was around it from its start on.
 void InterfaceFinder::add_missing(const Hit& hit, MediumStack& media, LostBodies& lost) {
     ++lost[hit.object];
     if (!media.enter(bodies_.body_of(hit))) ++overflows_;
 }
 
-void InterfaceFinder::add_all_missing(Vec3 d, MediumStack& media, LostBodies& lost) {
+void InterfaceFinder::add_all_missing(Vec3 d, MediumStack& media, Real reach, LostBodies& lost) {
     for (const Hit& hit : place_) {
         const BodyId body = bodies_.body_of(hit);
         std::size_t out = 0, in = media.count(body);
@@ -282,12 +323,35 @@ void InterfaceFinder::add_all_missing(Vec3 d, MediumStack& media, LostBodies& lo
             if (bodies_.body_of(other) != body) continue;
             ++(is_entering(other, d) ? in : out);
         }
+        if (in < out && !is_missing(hit, d, reach, lost)) continue;
         for (; in < out; ++in) add_missing(hit, media, lost);
     }
 }
 
-/// The bodies beyond the place.
-MediumStack InterfaceFinder::cross_place(Vec3 d, const MediumStack& media) {
+/// Whether faces of different directions meet in the place.
+bool InterfaceFinder::is_edge() const {
+    return std::any_of(place_.begin(), place_.end(),
+                       [&](const Hit& hit) { return !is_same_plane(hit.ng, place_.front().ng); });
+}
+
+/// Whether some face may have gone unseen because the ray runs along its edge.
+bool InterfaceFinder::is_uncertain() const {
+    return std::any_of(place_.begin(), place_.end(), [](const Hit& hit) { return hit.is_at_edge; });
+}
+
+/// The bodies beyond the place `at`, by asking all. Those without an inside stay.
+MediumStack InterfaceFinder::ask(Interface& at, Vec3 d, const MediumStack& media) const {
+    at.asked = kPast * at.reach;
+    MediumStack beyond = bodies_.around(beside(at.hit.p, at.asked, d));
+    for (const BodyId body : media) {
+        if (!bodies_.is_closed(body)) beyond.enter(body);
+    }
+    return beyond;
+}
+
+/// The bodies beyond the place `at`, by its faces. At an edge of a face they are asked if there
+/// seems to be none, or one that ends there without having been met.
+MediumStack InterfaceFinder::cross_place(Interface& at, Vec3 d, const MediumStack& media) {
     MediumStack beyond = media;
     for (const Hit& hit : place_) {
         if (is_entering(hit, d) && !beyond.enter(bodies_.body_of(hit))) ++overflows_;
@@ -295,13 +359,21 @@ MediumStack InterfaceFinder::cross_place(Vec3 d, const MediumStack& media) {
     for (const Hit& hit : place_) {
         if (!is_entering(hit, d)) beyond.leave(bodies_.body_of(hit));
     }
-    return beyond;
+    if (!is_uncertain()) return beyond;
+    const bool is_odd = std::any_of(media.begin(), media.end(), [&](BodyId body) {
+        const bool is_met = std::any_of(place_.begin(), place_.end(), [&](const Hit& hit) {
+            return bodies_.body_of(hit) == body;
+        });
+        return !is_met && bodies_.may_touch(body, at.hit.p, at.reach) &&
+               !bodies_.may_hold(body, beside(at.hit.p, kPast * at.reach, d));
+    });
+    return is_odd || beyond.current() == MediumStack::kOutside ? ask(at, d, media) : beyond;
 }
 
 /// The interface between the bodies in front of the place and those beyond; false when those that
 /// count are the same.
 bool InterfaceFinder::find_boundary(Vec3 d, MediumStack& media, Interface& found) {
-    const MediumStack beyond = cross_place(d, media);
+    const MediumStack beyond = is_edge() ? ask(found, d, media) : cross_place(found, d, media);
     const BodyId here = media.current(), there = beyond.current();
     found.place = Place(place_);
     if (here == there) {

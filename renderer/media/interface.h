@@ -11,6 +11,9 @@
 // - The two sides of one body are two places, however thin it is.
 // - Faces between which nothing changes (inside a body of higher priority) are no interface.
 // - What is opaque is met first, then sheets, then bodies.
+// - At edges and corners, where it depends on rounding which faces a ray meets, the bodies are
+// asked
+//   which of them are there beyond.
 #pragma once
 
 #include <algorithm>
@@ -57,10 +60,17 @@ struct RayStart {
     bool is_on_surface = false;
     bool has_gone_through = false;  ///< else it goes back to where it came from
     bool is_crowded = false;        ///< other surfaces are within reach of p
+    Real skip = 0;                  ///< how far all is left out: the bodies there are known
     Place place;                    ///< what lies in the same place, the surface itself among it
 
-    /// The origin of a ray along `d` that does not meet the surface again (see leave_surface()).
-    [[nodiscard]] Vec3 origin(Vec3 d) const { return p + (dot(d, ng) < 0 ? -error : error) * ng; }
+    /// The origin of a ray along `d` that does not meet the surface again (see leave_surface()): on
+    /// the ray, unless that grazes the surface.
+    [[nodiscard]] Vec3 origin(Vec3 d) const {
+        constexpr Real kGrazing = 0.125;
+        const Real cosine = dot(d, ng);
+        if (std::abs(cosine) > kGrazing) return p + (error / std::abs(cosine)) * d;
+        return p + (cosine < 0 ? -error : error) * ng;
+    }
 };
 
 /// What the next ray has to know of the surface between two sides.
@@ -71,11 +81,22 @@ struct Interface {
     Matter matter = Matter::Opaque;
     bool entering = true;     ///< the ray comes from outside the surface's body
     bool is_crowded = false;  ///< other surfaces are within reach
+    Real asked = 0;           ///< how far along the ray the bodies were asked; 0: not
     MediumStack beyond;       ///< the bodies around a ray that goes through
 
     [[nodiscard]] RayStart start(bool goes_through) const {
-        return {hit.p,        hit.ng, hit.error,    hit.resolution, reach, hit.object,
-                hit.instance, true,   goes_through, is_crowded,     place};
+        return {hit.p,
+                hit.ng,
+                hit.error,
+                hit.resolution,
+                reach,
+                hit.object,
+                hit.instance,
+                true,
+                goes_through,
+                is_crowded,
+                goes_through ? asked : 0,
+                place};
     }
 };
 
@@ -117,14 +138,20 @@ class InterfaceFinder {
     bool resolve_place(Vec3 d, MediumStack& media, Interface& found, LostBodies& lost);
     [[nodiscard]] const Hit* opaque_in_place(Vec3 d) const;
     [[nodiscard]] const Hit* sheet_in_place() const;
+    [[nodiscard]] bool is_missing(const Hit& hit, Vec3 d, Real reach, LostBodies& lost) const;
     void add_missing(const Hit& hit, MediumStack& media, LostBodies& lost);
-    void add_all_missing(Vec3 d, MediumStack& media, LostBodies& lost);
-    [[nodiscard]] MediumStack cross_place(Vec3 d, const MediumStack& media);
+    void add_all_missing(Vec3 d, MediumStack& media, Real reach, LostBodies& lost);
+    [[nodiscard]] bool is_edge() const;
+    [[nodiscard]] bool is_uncertain() const;
+    [[nodiscard]] MediumStack ask(Interface& at, Vec3 d, const MediumStack& media) const;
+    [[nodiscard]] MediumStack cross_place(Interface& at, Vec3 d, const MediumStack& media);
     bool find_boundary(Vec3 d, MediumStack& media, Interface& found);
 
     const Geometry& geometry_;
     const BodyTable& bodies_;
-    std::vector<Hit> place_;  ///< what lies in one place, in front of the ray
+    Vec3 start_;                   ///< of the ray that is followed
+    bool is_near_others_ = false;  ///< what find_place() has found
+    std::vector<Hit> place_;       ///< what lies in one place, in front of the ray
     std::uint64_t overflows_ = 0, queries_ = 0;
 };
 
