@@ -286,11 +286,17 @@ class HallWalk {
             const Real way = length(lamp - o);
             return !scene_.geometry().occluded({o, (lamp - o) / way}, way);
         }
-        if (start.p != at.face.hit.p && distance != kInfinity) {
+        const Vec3 moved = start.p - at.face.hit.p;
+        if (moved == Vec3{})
+            return light_passes(start, wi, distance, behind ? at.face.beyond : media, is_tinted);
+        if (distance != kInfinity) {
             distance = length(lamp - start.p);
             wi = (lamp - start.p) / distance;
         }
-        return light_passes(start, wi, distance, behind ? at.face.beyond : media, is_tinted);
+        // Other bodies may be there, where the surface comes out of one.
+        const bool may_differ = tables_.bodies.is_near_others(at.face.hit, length(moved));
+        return light_passes(start, wi, distance,
+                            may_differ ? tables_.bodies.around(start.p) : media, is_tinted);
     }
 
     /// Rays to lamps leave the smooth surface that a mesh stands for, not its facets.
