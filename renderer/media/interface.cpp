@@ -360,12 +360,17 @@ MediumStack InterfaceFinder::cross_place(Interface& at, Vec3 d, const MediumStac
         if (!is_entering(hit, d)) beyond.leave(bodies_.body_of(hit));
     }
     if (!is_uncertain()) return beyond;
-    const bool is_odd = std::any_of(media.begin(), media.end(), [&](BodyId body) {
-        const bool is_met = std::any_of(place_.begin(), place_.end(), [&](const Hit& hit) {
-            return bodies_.body_of(hit) == body;
+    const auto is_met = [&](BodyId body, bool is_left) {
+        return std::any_of(place_.begin(), place_.end(), [&](const Hit& hit) {
+            return bodies_.body_of(hit) == body && is_entering(hit, d) != is_left;
         });
-        return !is_met && bodies_.may_touch(body, at.hit.p, at.reach) &&
-               !bodies_.may_hold(body, beside(at.hit.p, kPast * at.reach, d));
+    };
+    // Gone into once more; or not met, and not there any more.
+    const bool is_odd = std::any_of(media.begin(), media.end(), [&](BodyId body) {
+        if (is_met(body, true)) return false;
+        return is_met(body, false) ||
+               (bodies_.may_touch(body, at.hit.p, at.reach) &&
+                !bodies_.may_hold(body, beside(at.hit.p, kPast * at.reach, d)));
     });
     return is_odd || beyond.current() == MediumStack::kOutside ? ask(at, d, media) : beyond;
 }
