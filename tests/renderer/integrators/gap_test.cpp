@@ -68,7 +68,7 @@ TEST(Terminator, HasNoBlackBand) {
                            .light(test::sun({-1, 0, 0}))
                            .build();
     for (int i = 0; i < 400; ++i) {
-        const Real angle = degrees_to_radians(85.0 * (i % 20) / 20);
+        const Real angle = degrees_to_radians(88.0 * (i % 20) / 19);
         const Real turn = 2 * kPi * (i / 20) / 20;
         const Vec3 n{std::cos(angle), std::sin(angle) * std::cos(turn),
                      std::sin(angle) * std::sin(turn)};
