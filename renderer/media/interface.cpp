@@ -202,25 +202,26 @@ Real InterfaceFinder::look_around(const RayStart& start, const Ray& line, Real t
         return hit.t <= start.skip ||
                (hit.t <= near && (!start.is_on_surface || is_left(start, d, media, hit)));
     });
-    drop_grazed(d);
-    if (place_.empty()) return middle + reach;
+    if (place_.empty() || is_only_grazed(d)) return middle + reach;
     if (place_.size() > 1 || place_.front().part != found.hit.part) keep_first_place(d, found);
     return 0;
 }
 
-/// Drops from place_ the pairs of faces at blunt edges that the ray goes in and out at by less than
-/// single precision tells: once in, it might not find its way out.
-void InterfaceFinder::drop_grazed(Vec3 d) {
-    for (std::size_t i = 1; i < place_.size(); ++i) {
-        const Hit& hit = place_[i];
-        const auto before =
-            std::find_if(place_.begin(), place_.begin() + static_cast<std::ptrdiff_t>(i),
-                         [&](const Hit& other) { return is_grazed(other, hit, d); });
-        if (before == place_.begin() + static_cast<std::ptrdiff_t>(i)) continue;
-        place_.erase(place_.begin() + static_cast<std::ptrdiff_t>(i));
-        place_.erase(before);
-        i -= std::min<std::size_t>(i, 2);
+/// Whether place_ holds nothing but pairs of faces at blunt edges that the ray goes in and out at
+/// by less than single precision tells: once in, it might not find its way out.
+bool InterfaceFinder::is_only_grazed(Vec3 d) {
+    std::vector<const Hit*>& open = grazed_;
+    open.clear();
+    for (const Hit& hit : place_) {
+        const auto before = std::find_if(
+            open.begin(), open.end(), [&](const Hit* other) { return is_grazed(*other, hit, d); });
+        if (before != open.end()) {
+            open.erase(before);
+        } else {
+            open.push_back(&hit);
+        }
     }
+    return open.empty();
 }
 
 /// Whether a ray from `start` has left `hit` behind it, or is on its way off it.

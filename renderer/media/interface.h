@@ -130,7 +130,7 @@ class InterfaceFinder {
                      Interface& found);
     [[nodiscard]] bool is_left(const RayStart& start, Vec3 d, const MediumStack& media,
                                const Hit& hit) const;
-    void drop_grazed(Vec3 d);
+    bool is_only_grazed(Vec3 d);
     void keep_first_place(Vec3 d, Interface& found);
     [[nodiscard]] bool is_far_side(std::size_t index, Vec3 d) const;
 
@@ -149,9 +149,10 @@ class InterfaceFinder {
 
     const Geometry& geometry_;
     const BodyTable& bodies_;
-    Vec3 start_;                   ///< of the ray that is followed
-    bool is_near_others_ = false;  ///< what find_place() has found
-    std::vector<Hit> place_;       ///< what lies in one place, in front of the ray
+    Vec3 start_;                      ///< of the ray that is followed
+    bool is_near_others_ = false;     ///< what find_place() has found
+    std::vector<Hit> place_;          ///< what lies in one place, in front of the ray
+    std::vector<const Hit*> grazed_;  ///< of place_
     std::uint64_t overflows_ = 0, queries_ = 0;
 };
 
