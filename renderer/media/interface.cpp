@@ -28,6 +28,9 @@ Real reach_along(Vec3 ng, Vec3 d, Real reach) {
     return 4 * reach / std::max(std::abs(dot(ng, d)), kLeastCosine);
 }
 
+/// How far along `d` a point lies on one side of the surface for certain.
+Real past(Vec3 ng, Vec3 d, Real reach) { return 2 * reach_along(ng, d, reach); }
+
 /// resolution_along() for the surface that a ray starts on.
 Real resolution_along(const RayStart& start, Vec3 d) {
     constexpr Real kLeastCosine = 0x1p-20;
@@ -63,6 +66,11 @@ bool InterfaceFinder::next(const RayStart& start, Vec3 d, Real t_max, MediumStac
                            Interface& found, LostBodies& lost) {
     RayStart from = start;
     start_ = start.p;
+    // What is beyond an edge depends on the way that the ray was bent there.
+    if (start.skip > 0) {
+        from.skip = past(start.ng, d, start.reach);
+        media = around(start.p, from.skip, d, media);
+    }
     Real way = 0;
     for (int i = 0; i < kMaxPlaces; ++i) {
         found.is_crowded = false;
@@ -341,14 +349,19 @@ bool InterfaceFinder::is_uncertain() const {
     return std::any_of(place_.begin(), place_.end(), [](const Hit& hit) { return hit.is_at_edge; });
 }
 
-/// The bodies beyond the place `at`, by asking all. Those without an inside stay.
+/// The bodies beyond the place `at`, by asking all.
 MediumStack InterfaceFinder::ask(Interface& at, Vec3 d, const MediumStack& media) const {
-    at.asked = kPast * at.reach;
-    MediumStack beyond = bodies_.around(beside(at.hit.p, at.asked, d));
+    at.asked = past(at.hit.ng, d, at.reach);
+    return around(at.hit.p, at.asked, d, media);
+}
+
+/// The bodies around the point `way` along `d` from p. Those of `media` without an inside stay.
+MediumStack InterfaceFinder::around(Vec3 p, Real way, Vec3 d, const MediumStack& media) const {
+    MediumStack there = bodies_.around(beside(p, way, d));
     for (const BodyId body : media) {
-        if (!bodies_.is_closed(body)) beyond.enter(body);
+        if (!bodies_.is_closed(body)) there.enter(body);
     }
-    return beyond;
+    return there;
 }
 
 /// The bodies beyond the place `at`, by its faces. At an edge of a face they are asked if there

@@ -144,6 +144,7 @@ class InterfaceFinder {
     [[nodiscard]] bool is_edge() const;
     [[nodiscard]] bool is_uncertain() const;
     [[nodiscard]] MediumStack ask(Interface& at, Vec3 d, const MediumStack& media) const;
+    [[nodiscard]] MediumStack around(Vec3 p, Real way, Vec3 d, const MediumStack& media) const;
     [[nodiscard]] MediumStack cross_place(Interface& at, Vec3 d, const MediumStack& media);
     bool find_boundary(Vec3 d, MediumStack& media, Interface& found);
 
