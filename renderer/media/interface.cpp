@@ -408,6 +408,8 @@ bool InterfaceFinder::find_boundary(Vec3 d, MediumStack& media, Interface& found
     found.matter = Matter::Body;
     found.entering = is_entering(found.hit, d);
     found.beyond = beyond;
+    // A ray that is bent at an edge may be on the other side of it at once.
+    if (is_uncertain()) found.asked = past(found.hit.ng, d, found.reach);
     return true;
 }
 
