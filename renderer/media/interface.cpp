@@ -118,6 +118,8 @@ bool InterfaceFinder::resolve_alone(Vec3 d, MediumStack& media, Interface& found
     } else if (!found.beyond.enter(body)) {
         ++overflows_;
     }
+    // Behind a sharp edge the way out may be nearer than single precision tells.
+    found.is_crowded = found.hit.is_at_edge;
     if (media.current() != found.beyond.current()) return true;
     media = found.beyond;
     return false;

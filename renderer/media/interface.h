@@ -63,7 +63,7 @@ struct RayStart {
     Real skip = 0;                  ///< how far all is left out: the bodies there are known
     Place place;                    ///< what lies in the same place, the surface itself among it
 
-    [[nodiscard]] bool is_grazed_by(Vec3 d) const { return std::abs(dot(d, ng)) < 0.125; }
+    [[nodiscard]] bool is_grazed_by(Vec3 d) const { return std::abs(dot(d, ng)) < 0.7; }
     /// The origin of a ray along `d` that does not meet the surface again (see leave_surface()): on
     /// the ray, unless that grazes the surface.
     [[nodiscard]] Vec3 origin(Vec3 d) const {
