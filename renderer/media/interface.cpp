@@ -156,7 +156,7 @@ bool InterfaceFinder::find_place(const RayStart& start, Vec3 d, Real t_max,
     } else if (start.is_on_surface && start.skip == 0) {
         line.o = start.origin(d);
         // A ray that has an end gets there also from beside its start.
-        if (std::isfinite(t_max) && start.is_grazed_by(d))
+        if (std::isfinite(t_max) && start.is_left_aslant(d))
             line.d = normalize(start.p + t_max * d - line.o);
     }
     const Real shift = dot(line.o - start.p, d);

@@ -63,12 +63,13 @@ struct RayStart {
     Real skip = 0;                  ///< how far all is left out: the bodies there are known
     Place place;                    ///< what lies in the same place, the surface itself among it
 
-    [[nodiscard]] bool is_grazed_by(Vec3 d) const { return std::abs(dot(d, ng)) < 0.7; }
+    /// Along the ray the way off the surface would be much longer than along the normal.
+    [[nodiscard]] bool is_left_aslant(Vec3 d) const { return std::abs(dot(d, ng)) < 0.7; }
     /// The origin of a ray along `d` that does not meet the surface again (see leave_surface()): on
-    /// the ray, unless that grazes the surface.
+    /// the ray, unless that leaves it aslant.
     [[nodiscard]] Vec3 origin(Vec3 d) const {
         const Real cosine = dot(d, ng);
-        if (!is_grazed_by(d)) return p + (error / std::abs(cosine)) * d;
+        if (!is_left_aslant(d)) return p + (error / std::abs(cosine)) * d;
         return p + (cosine < 0 ? -error : error) * ng;
     }
 };
