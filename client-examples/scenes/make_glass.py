@@ -17,18 +17,16 @@ import math
 import pathlib
 import sys
 
-from make_figures import lamp, matt, move, pretty, sky, thing, turn
+from make_figures import TRANSMITTANCES, lamp, matt, move, pretty, samples, sky, thing, turn
 from make_meshes import gem, goblet, goblet_inside, lathe, spline, write_obj, write_ply
 
 COLOURS = {
+    **TRANSMITTANCES,
     "wine": [0.90, 0.55, 0.25, 0.08, 0.05, 0.10, 0.55, 0.93, 0.97, 0.98, 0.98],
     "oil": [0.30, 0.40, 0.60, 0.85, 0.95, 0.97, 0.97, 0.96, 0.95, 0.94, 0.94],
     "water": [0.998, 0.998, 0.998, 0.997, 0.996, 0.993, 0.985, 0.965, 0.96, 0.95, 0.94],
     "bottle": [0.88, 0.90, 0.93, 0.96, 0.975, 0.975, 0.965, 0.95, 0.94, 0.93, 0.92],
-    "aqua": [0.60, 0.74, 0.88, 0.95, 0.93, 0.80, 0.54, 0.32, 0.24, 0.22, 0.24],
-    "amber": [0.10, 0.14, 0.22, 0.36, 0.58, 0.80, 0.92, 0.96, 0.97, 0.97, 0.97],
 }
-WAVELENGTHS_NM = [400, 430, 460, 490, 520, 550, 580, 610, 640, 670, 700]
 
 
 def body(ior, colour=None, thickness=1.0):
@@ -44,7 +42,7 @@ def scene(name, camera, colours, materials, objects):
     return {
         "format": "bouguer-scene/1", "name": name, "units": "cm",
         "camera": {"type": "perspective", "fov_deg": 30, "resolution": [400, 480], **camera},
-        "spectra": {c: {"wavelengths_nm": WAVELENGTHS_NM, "values": COLOURS[c]} for c in colours},
+        "spectra": {c: samples(COLOURS[c]) for c in colours},
         "textures": {"planks": {"type": "grid", "line": {"srgb": [0.36, 0.25, 0.18]}, "ground": {"srgb": [0.66, 0.5, 0.36]},
                                 "width": 0.03, "scale": 12}},
         "materials": {**materials, "wood": {"type": "hall", "reflectance": {"texture": "planks"}, "k_sr": 0.9, "n": 1},

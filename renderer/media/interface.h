@@ -12,8 +12,7 @@
 // - Faces between which nothing changes (inside a body of higher priority) are no interface.
 // - What is opaque is met first, then sheets, then bodies.
 // - At edges and corners, where it depends on rounding which faces a ray meets, the bodies are
-// asked
-//   which of them are there beyond.
+//   asked which of them are there beyond.
 #pragma once
 
 #include <algorithm>
